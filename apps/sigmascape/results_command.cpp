@@ -83,6 +83,8 @@ void add_results_command(Command app, Output& output) {
       app.add_subcommand("results", "Measure how close baked maps come to traced ones, by grid, view and cell size");
   auto options = std::make_shared<ResultsOptions>();
   command.add_flag("--small", options->small, "a fifth of the scene's side, few views and rays: minutes, not hours");
+  command.add_flag("--no-finest-grid", options->without_finest_grid,
+                   "leave out 32 × 8 looks, whose bake takes longest");
   command
       .add_option("--out", options->folder,
                   "folder for numbers, page, pictures, the atlas and the traced maps; what fits is used again. "

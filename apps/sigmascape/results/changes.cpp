@@ -7,6 +7,7 @@
 
 #include "bake_options.h"
 #include "results/columns.h"
+#include "results/error_tables.h"
 #include "results/tile_power.h"
 
 namespace sigmascape::cli {
@@ -105,6 +106,11 @@ std::vector<Change> changes(const ResultsPlan& plan) {
   };
   ResultsCase shared_noise = own;
   shared_noise.change = shared_noise_change;
+  const auto with_rays_where_noise_is = [](ResultsCase of) {
+    of.baked_samples = 0;
+    of.change = adaptive_change;
+    return of;
+  };
   ResultsCase by_tiles = own;
   by_tiles.change = renormalized_change;
 
@@ -115,6 +121,11 @@ std::vector<Change> changes(const ResultsPlan& plan) {
        kept_mark});
   list.push_back({{"shadows made at run time", text_of(Method::BakedShadows), level, baked}, kept_mark});
   list.push_back({{"objects baked on their own ground", text_of(Method::LevelGround), own, level}, kept_mark});
+  if (plan.has_default_bake) {
+    list.push_back(
+        {{fmt::format("{}: {} a texel", adaptive_change, rays_text(0)), before, with_rays_where_noise_is(own), own},
+         kept_mark});
+  }
   list.push_back({{"texels share what few rays leave in doubt", before, shared_noise, own}, "an option"});
   list.push_back({{fmt::format("every {:.0f} m tile given the power that it has from {}", power_tile_m, next), before,
                    by_tiles, own},
@@ -124,6 +135,12 @@ std::vector<Change> changes(const ResultsPlan& plan) {
   list.push_back({{"more elevations, " + elevations.name(), before, own_from(elevations), own}, "an option"});
   list.push_back({{"more azimuths, " + azimuths.name(), before, own_from(azimuths), own}, "an option"});
   list.push_back({{"both, " + next, before, own_from(plan.next_grid()), own}, "an option"});
+  if (plan.has_default_bake) {
+    const ResultsCase finer = own_from(plan.next_grid());
+    list.push_back({{fmt::format("the same, {}", adaptive_change), fmt::format("{}, {}", before, next),
+                     with_rays_where_noise_is(finer), finer},
+                    kept_mark});
+  }
   if (plan.has_finest_grid()) {
     const LookGrid& finest = plan.grids.back();
     list.push_back({{"the finest, " + finest.name(), before, own_from(finest), own}, "an option"});

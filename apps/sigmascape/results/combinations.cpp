@@ -14,8 +14,7 @@ namespace sigmascape::cli {
 namespace {
 
 std::string name_of(const ResultsRow& row) {
-  return fmt::format("{}{}{}, {}", text_of(row.of.method), row.of.change.empty() ? "" : ", ", row.of.change,
-                     row.of.grid);
+  return fmt::format("{}, {}", way_text(row.of), row.of.grid);
 }
 
 constexpr const char* way_heads =
@@ -48,7 +47,7 @@ struct WithOwnLook {
 std::optional<WithOwnLook> with_own_look(const ResultsRow& row, const std::vector<ResultsRow>& rows) {
   ResultsCase own = row.of;
   own.grid = own_look;
-  own.change = "";
+  if (own.change != adaptive_change) own.change = "";
   const ResultsCell* own_cell = summary_cell(find_row(rows, own));
   if (own_cell == nullptr) return std::nullopt;
   return WithOwnLook{row.at_cell(summary_cell_m), own_cell};
@@ -94,10 +93,12 @@ struct Best {
   const ResultsRow *paper, *alike, *in_its_bytes, *of_all, *paper_alike;
 };
 
-/// The same with another method.
-const ResultsRow* by(Method method, const ResultsRow& row, const std::vector<ResultsRow>& rows) {
+/// The same with another method, as the plan has it.
+const ResultsRow* by(Method method, const ResultsRow& row, const ResultsPlan& plan,
+                     const std::vector<ResultsRow>& rows) {
   ResultsCase of = row.of;
   of.method = method;
+  of.baked_samples = plan.baked_samples;
   of.change = "";
   const ResultsRow* found = find_row(rows, of);
   return summary_cell(found) != nullptr ? found : nullptr;
@@ -107,8 +108,8 @@ std::optional<Best> best_of(const ResultsPlan& plan, const std::vector<ResultsRo
   const ResultsRow* paper = baseline_row(plan, rows, plan.scene_name(), ViewKind::HeldOut);
   if (summary_cell(paper) == nullptr) return std::nullopt;
   const ResultsRow* of_all = best_combination(plan, rows, std::numeric_limits<std::uintmax_t>::max());
-  return Best{paper, by(Method::OwnGround, *paper, rows), best_combination(plan, rows, paper->atlas.store_bytes),
-              of_all, of_all != nullptr ? by(Method::Paper, *of_all, rows) : nullptr};
+  return Best{paper, by(Method::OwnGround, *paper, plan, rows), best_combination(plan, rows, paper->atlas.store_bytes),
+              of_all, of_all != nullptr ? by(Method::Paper, *of_all, plan, rows) : nullptr};
 }
 
 /// "3.32 dB RMS (correlation 0.949, 12.75 MB of textures)".
@@ -143,21 +144,21 @@ std::string found_from_the_papers_looks(const ResultsPlan& plan, const Best& bes
 }
 
 /// " and by 2.73 dB (the paper's 3.99 dB) at 3 views that were baked"; empty without such views.
-std::string found_on_grid(const std::vector<ResultsRow>& rows, const ResultsRow& best) {
+std::string found_on_grid(const ResultsPlan& plan, const std::vector<ResultsRow>& rows, const ResultsRow& best) {
   ResultsCase of = best.of;
   of.kind = ViewKind::OnGrid;
   const ResultsRow* row = find_row(rows, of);
   if (summary_cell(row) == nullptr) return {};
-  const ResultsRow* paper = by(Method::Paper, *row, rows);
+  const ResultsRow* paper = by(Method::Paper, *row, plan, rows);
   const std::string beside = paper == nullptr || paper == row ? "" : fmt::format(" (the paper's {})", rms_text(*paper));
   return fmt::format(" and by {}{} at {} that {} baked", rms_text(*row), beside, counted(row->views, "view", "views"),
                      row->views == 1 ? "was" : "were");
 }
 
 /// How far the best maps are from traced ones, and what keeps them there.
-std::string found_of_the_best(const Best& best, const std::vector<ResultsRow>& rows) {
+std::string found_of_the_best(const ResultsPlan& plan, const Best& best, const std::vector<ResultsRow>& rows) {
   std::string text = fmt::format("The best maps, *{}*, differ by {}", name_of(*best.of_all), closeness(*best.of_all));
-  const std::string on_grid = found_on_grid(rows, *best.of_all);
+  const std::string on_grid = found_on_grid(plan, rows, *best.of_all);
   if (best.paper_alike != nullptr && best.paper_alike != best.of_all) {
     text +=
         fmt::format(", where the paper's method from as many directions differs by {}", rms_text(*best.paper_alike));
@@ -191,8 +192,8 @@ const ResultsRow* best_combination(const ResultsPlan& plan, const std::vector<Re
   for (const ResultsRow& row : rows) {
     const ResultsCase& of = row.of;
     const bool is_way = of.scene == plan.scene_name() && of.kind == ViewKind::HeldOut && of.level_of_detail == 1 &&
-                        of.grid != own_look && of.baked_samples == plan.baked_samples &&
-                        of.change != renormalized_change;
+                        of.grid != own_look && of.method != Method::Traced && of.change != renormalized_change &&
+                        (of.baked_samples == plan.baked_samples || of.change == adaptive_change);
     const ResultsCell* cell = row.at_cell(summary_cell_m);
     if (!is_way || cell == nullptr || std::isnan(cell->median.rms_db) || row.atlas.store_bytes > most_bytes) continue;
     if (best == nullptr || cell->median.rms_db < best->at_cell(summary_cell_m)->median.rms_db) best = &row;
@@ -258,7 +259,7 @@ std::string limits_section(const ResultsPlan& plan, const std::vector<ResultsRow
 std::string verdict(const ResultsPlan& plan, const std::vector<ResultsRow>& rows) {
   const auto best = best_of(plan, rows);
   if (!best || best->of_all == nullptr) return {};
-  return found_from_the_papers_looks(plan, *best) + found_of_the_best(*best, rows) +
+  return found_from_the_papers_looks(plan, *best) + found_of_the_best(plan, *best, rows) +
          found_of_time_and_truth(*best->of_all) + "\n\n";
 }
 

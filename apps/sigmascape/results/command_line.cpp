@@ -25,6 +25,7 @@ std::string command_line(const ResultsOptions& options, const ResultsPlan& plan)
   const auto views = [&](ViewKind kind) { return std::ranges::count(plan.views, kind, &PlannedView::kind); };
   std::string line = "sigmascape results";
   if (options.small) line += " --small";
+  if (options.without_finest_grid) line += " --no-finest-grid";
   if (!options.scene_file.empty()) {
     const std::string within = path_within(options.scene_file);
     line += option("--scene",

@@ -17,9 +17,9 @@ std::string cost_table(const ResultsReport& report, const TracedRays& rays) {
                         megabytes(report.tracing_memory_bytes), traced->trace_seconds);
   }
   for (const ResultsRow& row : report.rows) {
-    if (row.of.scene != report.plan.scene_name() || row.of.kind != ViewKind::HeldOut || !is_plain(row, report.plan))
+    if (row.of.scene != report.plan.scene_name() || row.of.kind != ViewKind::HeldOut || !is_of_a_grid(row, report.plan))
       continue;
-    text += fmt::format("| {} | {} | {} | {} | {} | {:.0f} | {:.1f} | {:.3f} |\n", text_of(row.of.method), row.of.grid,
+    text += fmt::format("| {} | {} | {} | {} | {} | {:.0f} | {:.1f} | {:.3f} |\n", way_text(row.of), row.of.grid,
                         row.atlas.looks, megabytes(row.atlas.store_bytes), megabytes(row.atlas.memory_bytes),
                         row.atlas.bake_seconds, row.atlas.bake_seconds / static_cast<double>(row.atlas.looks),
                         row.render_ms / 1e3);
@@ -50,9 +50,11 @@ std::string vertices_text(const ResultsReport& report) {
 
 }  // namespace
 
-bool is_plain(const ResultsRow& row, const ResultsPlan& plan) {
-  return row.of.change.empty() && row.of.level_of_detail == 1 && row.of.grid != own_look &&
-         row.of.baked_samples == plan.baked_samples;
+bool is_of_a_grid(const ResultsRow& row, const ResultsPlan& plan) {
+  const ResultsCase& of = row.of;
+  const bool is_as_planned = of.change.empty() && of.baked_samples == plan.baked_samples;
+  return (is_as_planned || of.change == adaptive_change) && of.method != Method::Traced && of.grid != own_look &&
+         of.level_of_detail == 1;
 }
 
 std::string costs_section(const ResultsReport& report) {

@@ -37,7 +37,7 @@ struct SummaryLine {
 
   [[nodiscard]] bool is_as(const SummaryLine& other) const {
     return of.scene == other.of.scene && of.kind == other.of.kind && of.method == other.of.method &&
-           metrics == other.metrics;
+           of.change == other.of.change && metrics == other.metrics;
   }
   void take_in(const SummaryLine& other) {
     grids += "; " + other.grids;
@@ -96,13 +96,13 @@ std::string aim_line(const ResultsReport& report, const ResultsRow& row, const R
                                          [least](double correlation) { return correlation >= least; });
   const Reached unbiased =
       views_with(row, &product::CellComparison::bias_db, [](double size_db) { return size_db <= most_bias_db; });
-  return fmt::format(
-      "|{} {} | {}{}{} | {} | {:.1f} | {} | {} ({}) | ±{:g} | {} |\n", SceneColumn(report.plan).cell(row.of.scene),
-      text_of(row.of.kind), text_of(row.of.method), row.of.change.empty() ? "" : ", ", row.of.change,
-      rays_text(row.of.baked_samples), row.atlas.bake_seconds / static_cast<double>(row.atlas.looks),
-      correlation_beside(least, cell.median.correlation_db, correlating),
-      signed_text(bias_db, decimals_that_tell(most_bias_db, std::abs(bias_db), 2)), signed_text(cell.worst.bias_db, 2),
-      most_bias_db, mark(2 * unbiased.views > unbiased.of, unbiased));
+  return fmt::format("|{} {} | {} | {} | {:.1f} | {} | {} ({}) | ±{:g} | {} |\n",
+                     SceneColumn(report.plan).cell(row.of.scene), text_of(row.of.kind), way_text(row.of),
+                     rays_text(row.of.baked_samples), row.atlas.bake_seconds / static_cast<double>(row.atlas.looks),
+                     correlation_beside(least, cell.median.correlation_db, correlating),
+                     signed_text(bias_db, decimals_that_tell(most_bias_db, std::abs(bias_db), 2)),
+                     signed_text(cell.worst.bias_db, 2), most_bias_db,
+                     mark(2 * unbiased.views > unbiased.of, unbiased));
 }
 
 /// Views that were baked, from the grid as it is measured, from the same looks with rays where the noise is, as they
@@ -138,8 +138,8 @@ std::string cell_heads() {
 std::string lines_by_cell(const ResultsRow& row) {
   std::string text;
   for (const ResultsCell& cell : row.cells) {
-    text += fmt::format("| {} | {} | {} | {:.0f} | {} | {} |\n", text_of(row.of.kind), text_of(row.of.method),
-                        row.of.grid, cell.median.cell_m, metrics_text(row, cell), floor_and_cost(cell, row));
+    text += fmt::format("| {} | {} | {} | {:.0f} | {} | {} |\n", text_of(row.of.kind), way_text(row.of), row.of.grid,
+                        cell.median.cell_m, metrics_text(row, cell), floor_and_cost(cell, row));
   }
   return text;
 }
@@ -149,7 +149,7 @@ std::string cells_of_every_grid(const ResultsReport& report) {
   const ResultsPlan& plan = report.plan;
   std::string text = cell_heads();
   for (const ResultsRow& row : report.rows) {
-    if (row.of.scene == plan.scene_name() && is_plain(row, plan)) text += lines_by_cell(row);
+    if (row.of.scene == plan.scene_name() && is_of_a_grid(row, plan)) text += lines_by_cell(row);
   }
   return text;
 }
@@ -178,7 +178,7 @@ std::string summary_section(const ResultsReport& report) {
   std::string last;
   for (const ResultsRow& row : report.rows) {
     const ResultsCell* cell = row.at_cell(summary_cell_m);
-    if (cell == nullptr || !is_plain(row, plan) || is_side_grid(row, plan)) continue;
+    if (cell == nullptr || !is_of_a_grid(row, plan) || is_side_grid(row, plan)) continue;
     const std::string group = row.of.scene + text_of(row.of.kind);
     if (group != last) {
       lines.push_back({row.of, row.views, floor_text(row, *cell)});
@@ -193,7 +193,7 @@ std::string summary_section(const ResultsReport& report) {
   }
   for (const SummaryLine& line : lines) {
     text += fmt::format("|{} {} ({}) | {} | {} | {} | {} | {} |\n", scene.cell(line.of.scene), text_of(line.of.kind),
-                        line.views, line.grids.empty() ? "*truth*" : text_of(line.of.method), line.grids, line.metrics,
+                        line.views, line.grids.empty() ? "*truth*" : way_text(line.of), line.grids, line.metrics,
                         line.store_mb, line.bake_s);
   }
   return text + "\n";

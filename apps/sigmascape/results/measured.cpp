@@ -23,7 +23,7 @@ using product::CellComparison;
 using product::LevelError;
 
 /// Raised when maps are made otherwise or more is measured of a view: what was kept before does not go with it.
-constexpr int form_of_views = 5;
+constexpr int form_of_views = 6;
 
 double number_in(const Json& json, double absent) {
   return json.is_null() ? absent : json.get<double>();
@@ -107,25 +107,23 @@ Value named(std::initializer_list<Value> values, const std::string& text) {
 }
 
 ViewResult result_in(const Json& json, const std::string& scene, const PlannedView& view) {
-  ViewResult result{
-      .of = {.scene = scene,
-             .method = named({Method::Paper, Method::BakedShadows, Method::LevelGround, Method::OwnGround},
-                             json.at("method").get<std::string>()),
-             .grid = json.at("grid").get<std::string>(),
-             .baked_samples = json.at("baked_samples").get<std::uint32_t>(),
-             .kind = view.kind,
-             .change = json.at("change").get<std::string>(),
-             .level_of_detail = json.at("lod").get<int>()},
-      .view = view,
-      .atlas = {.looks = json.at("looks").get<std::size_t>(),
-                .store_bytes = json.at("store_bytes").get<std::uintmax_t>(),
-                .memory_bytes = json.at("memory_bytes").get<std::size_t>(),
-                .bake_seconds = json.at("bake_s").get<double>()},
-      .comparison = comparison_in(json.at("cells")),
-      .noise_floor = {},
-      .by_level = level_errors_in(json.at("by_level")),
-      .noise_by_level = {},
-      .render_ms = json.at("render_ms").get<double>()};
+  ViewResult result{.of = {.scene = scene,
+                           .method = named(all_methods, json.at("method").get<std::string>()),
+                           .grid = json.at("grid").get<std::string>(),
+                           .baked_samples = json.at("baked_samples").get<std::uint32_t>(),
+                           .kind = view.kind,
+                           .change = json.at("change").get<std::string>(),
+                           .level_of_detail = json.at("lod").get<int>()},
+                    .view = view,
+                    .atlas = {.looks = json.at("looks").get<std::size_t>(),
+                              .store_bytes = json.at("store_bytes").get<std::uintmax_t>(),
+                              .memory_bytes = json.at("memory_bytes").get<std::size_t>(),
+                              .bake_seconds = json.at("bake_s").get<double>()},
+                    .comparison = comparison_in(json.at("cells")),
+                    .noise_floor = {},
+                    .by_level = level_errors_in(json.at("by_level")),
+                    .noise_by_level = {},
+                    .render_ms = json.at("render_ms").get<double>()};
   if (json.contains("without_noise")) {
     const Json& free = json.at("without_noise");
     result.without_noise = {.cell_m = free.at(0).get<double>(),
@@ -260,12 +258,19 @@ nlohmann::ordered_json settings_of_views(const ResultsPlan& plan, const std::str
   Json grids = Json::array();
   for (const LookGrid& grid : plan.grids) grids.push_back(grid.name());
   const product::CompareOptions compare;
-  return {{"form", form_of_views},         {"scene", scene},
-          {"side_m", plan.side_m()},       {"rim_m", plan.rim_m()},
-          {"grids", std::move(grids)},     {"baked_samples", plan.baked_samples},
-          {"bounces", plan.bounces},       {"seed", plan.seed},
-          {"floor_db", compare.floor_db},  {"shadow_db", compare.shadow_db},
-          {"simd", trace::simd_setting()}, {"physics", bake::physics_revision}};
+  return {{"form", form_of_views},
+          {"scene", scene},
+          {"side_m", plan.side_m()},
+          {"rim_m", plan.rim_m()},
+          {"grids", std::move(grids)},
+          {"baked_samples", plan.baked_samples},
+          {"bounces", plan.bounces},
+          {"seed", plan.seed},
+          {"floor_db", compare.floor_db},
+          {"shadow_db", compare.shadow_db},
+          {"simd", trace::simd_setting()},
+          {"physics", bake::physics_revision},
+          {"default_bake", plan.has_default_bake}};
 }
 
 }  // namespace sigmascape::cli

@@ -24,6 +24,7 @@ namespace sigmascape::cli {
 namespace {
 
 constexpr int coarsest_level_of_detail = 3;
+constexpr std::uint64_t seed_of_few_rays = 501;  // none of the truth's
 
 struct PaperChange {
   const char* name;
@@ -109,6 +110,13 @@ bake::BakeSettings settings_of_shared_noise(const ResultsPlan& plan) {
   return settings;
 }
 
+bake::BakeSettings settings_of_default_bake(const ResultsPlan& plan) {
+  bake::BakeSettings settings = plan.bake_settings(Method::OwnGround);
+  settings.aspects = plan.next_grid().aspects();
+  settings.sampling.samples_per_texel = 0;
+  return settings;
+}
+
 }  // namespace
 
 Measurement::Measurement(const ResultsPlan& plan, const std::filesystem::path& folder,
@@ -124,6 +132,8 @@ Measurement::Measurement(const ResultsPlan& plan, const std::filesystem::path& f
       own_ground_(scene_.scene, plan.bake_settings(Method::OwnGround), folder / "atlas_own_ground", progress_),
       even_in_cotangent_(scene_.scene, settings_even_in_cotangent(plan), folder / "atlas_even_in_cotangent", progress_),
       shared_noise_(scene_.scene, settings_of_shared_noise(plan), folder / "atlas_shared_noise", progress_) {
+  if (plan.has_default_bake)
+    default_.emplace(scene_.scene, settings_of_default_bake(plan), folder / "atlas_default", progress_);
   if (plan.has_level_ground()) level_.emplace("level", levelled(scene_.scene));
   make_ready();
 }
@@ -138,8 +148,9 @@ ReadyMethod Measurement::from_store(Method method, const std::string& grid, std:
           .cost = bake.cost_of(selection, *atlas),
           .render = [atlas, threads](const Seen& seen, int level_of_detail) {
             render::RenderCounts counts;
-            const std::vector<radar::Target> targets = simulate::targets_of(seen.scene);
-            return simulate::baked_image(*atlas, seen.scene.terrain, seen.radar, seen.grid.extent(),
+            const scene::Scene& scene = seen.measured.scene;
+            const std::vector<radar::Target> targets = simulate::targets_of(scene);
+            return simulate::baked_image(*atlas, scene.terrain, seen.radar, seen.grid.extent(),
                                          {.level_of_detail = level_of_detail, .threads = threads, .targets = targets},
                                          counts);
           }};
@@ -156,11 +167,22 @@ ReadyMethod Measurement::from_paper_textures(const std::string& grid, std::uint3
           .change = change,
           .cost = cost,
           .render = [textures = std::move(textures), look_up, threads](const Seen& seen, int) {
-            const auto bins = simulate::bins_for(seen.radar, seen.grid.extent(), seen.scene.terrain);
-            auto image = render::paper_image(*textures, seen.scene.terrain, seen.radar, seen.grid.extent(), bins,
-                                             look_up, threads);
-            simulate::add_targets(image, seen.radar, {seen.scene.terrain}, simulate::targets_of(seen.scene), {});
+            const scene::Scene& scene = seen.measured.scene;
+            const auto bins = simulate::bins_for(seen.radar, seen.grid.extent(), scene.terrain);
+            auto image =
+                render::paper_image(*textures, scene.terrain, seen.radar, seen.grid.extent(), bins, look_up, threads);
+            simulate::add_targets(image, seen.radar, {scene.terrain}, simulate::targets_of(scene), {});
             return image;
+          }};
+}
+
+ReadyMethod Measurement::from_few_rays(std::uint32_t samples) const {
+  return {.method = Method::Traced,
+          .grid = {},
+          .baked_samples = samples,
+          .cost = {},
+          .render = [&plan = plan_, samples](const Seen& seen, int) {
+            return traced_image(seen.measured, seen.radar, seen.grid, plan, samples, seed_of_few_rays);
           }};
 }
 
@@ -199,6 +221,13 @@ void Measurement::make_ready() {
   ours(Method::OwnGround, plan_.more_azimuths(), own_ground_);
   ours(Method::OwnGround, plan_.even_in_cotangent(), even_in_cotangent_);
   ours(Method::OwnGround, grid, shared_noise_, shared_noise_change);
+  if (default_) {
+    for (const LookGrid& looks : {grid, plan_.next_grid()}) {
+      ours(Method::OwnGround, looks, *default_, adaptive_change);
+      methods_.back().baked_samples = 0;
+    }
+  }
+  for (const std::uint32_t samples : ResultsPlan::few_traced_samples) methods_.push_back(from_few_rays(samples));
 }
 
 void Measurement::compare_all() {
@@ -260,8 +289,9 @@ void Measurement::compare(const MeasuredScene& measured, const PlannedView& view
   const Truth truth = traced_truth(measured, view, plan_, folder_ / "truth");
   const bool is_main = &measured == &scene_;
   for (const ReadyMethod& method : methods_) {
-    // What was baked on hills does not stand on level ground.
-    if (!is_main && (!method.change.empty() || method.method == Method::OwnGround)) continue;
+    // What was baked on hills does not stand on level ground; what tracing takes is asked of the scene as it is.
+    if (!is_main && (!method.change.empty() || method.method == Method::OwnGround || method.method == Method::Traced))
+      continue;
     const bool by_level = is_main && method.method == Method::OwnGround && method.change.empty() &&
                           method.grid == plan_.paper_grid().name();
     for (int level = 1; level <= (by_level ? coarsest_level_of_detail : 1); ++level)
@@ -329,7 +359,7 @@ ReadyMethod Measurement::own_look_from(const bake::BakeSettings& settings, Metho
   return from_store(method, own_look, samples, TimedBake(scene_.scene, settings, store, progress_), {});
 }
 
-/// Without an angle missing, and of baked views with rays where the noise is and almost without noise as well.
+/// Without an angle missing, with rays where the noise is too, and of baked views almost without noise as well.
 void Measurement::compare_own_looks(const Truth& truth, const MeasuredScene& measured, const PlannedView& view) {
   const Method ours = &measured == &scene_ ? Method::OwnGround : Method::LevelGround;
   const bool is_finer_too = view.kind == ViewKind::OnGrid;
@@ -345,9 +375,9 @@ void Measurement::compare_own_looks(const Truth& truth, const MeasuredScene& mea
     }
     if (!is_finer_too || samples == plan_.finer_samples) break;
   }
-  if (!is_finer_too) return;
-  hold_against(truth, measured, view, own_look_with_rays_where_noise_is(ours, measured, view));
-  hold_against(truth, measured, view, own_look_in_finer_texels(ours, measured, view));
+  if (is_finer_too || default_)
+    hold_against(truth, measured, view, own_look_with_rays_where_noise_is(ours, measured, view));
+  if (is_finer_too) hold_against(truth, measured, view, own_look_in_finer_texels(ours, measured, view));
 }
 
 void Measurement::hold_against(const Truth& truth, const MeasuredScene& measured, const PlannedView& view,
@@ -401,7 +431,7 @@ RenderedMap Measurement::rendered_map(const MeasuredScene& measured, const Plann
                                       int level_of_detail) const {
   const scene::Scene& scene = measured.scene;
   const radar::RadarFile file = view.radar();
-  const Seen seen{scene, simulate::placed_radar(file, scene.frame, scene.terrain, scene.extent),
+  const Seen seen{measured, simulate::placed_radar(file, scene.frame, scene.terrain, scene.extent),
                   simulate::map_grid(file.map, scene.extent)};
   const ProcessorStopwatch watch;
   const auto image = method.render(seen, level_of_detail);

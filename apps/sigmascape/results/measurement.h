@@ -19,12 +19,12 @@ namespace sigmascape::cli {
 
 /// What is seen of a scene: where the radar stands and what it maps.
 struct Seen {
-  const scene::Scene& scene;
+  const MeasuredScene& measured;
   radar::Radar radar;
   radar::GroundGrid grid;
 };
 
-/// One way to a map, ready to be used: an atlas in memory and how maps are rendered from it.
+/// One way to a map, ready to be used: mostly an atlas in memory and how maps are rendered from it.
 struct ReadyMethod {
   Method method = Method::OwnGround;
   std::string grid;
@@ -69,6 +69,7 @@ class Measurement {
                                                 const std::string& change, const AtlasCost& cost,
                                                 std::shared_ptr<const render::PaperTextures> textures,
                                                 const render::PaperLookUp& look_up) const;
+  [[nodiscard]] ReadyMethod from_few_rays(std::uint32_t samples) const;
   void make_ready();
   /// Unless it is kept.
   void compare_once(const MeasuredScene& measured, PlannedView view);
@@ -110,6 +111,7 @@ class Measurement {
   std::optional<MeasuredScene> level_;
   PaperBake paper_bake_, paper_bake_again_;
   TimedBake baked_shadows_, level_ground_, own_ground_, even_in_cotangent_, shared_noise_;
+  std::optional<TimedBake> default_;  ///< as `sigmascape bake` samples by default
   std::shared_ptr<const render::PaperTextures> paper_textures_;
   std::vector<ReadyMethod> methods_;
   std::vector<ViewResult> results_;

@@ -12,6 +12,7 @@
 #include "results/error_tables.h"
 #include "results/lead.h"
 #include "results/noise_tables.h"
+#include "results/tracing.h"
 
 namespace sigmascape::cli {
 namespace {
@@ -83,7 +84,8 @@ std::string settings_text(const ResultsReport& report) {
              "## Settings\n\n"
              "- {} rays a texel of {:.2f} m{}, {} where stated. Each method is baked once, from its finest grid; "
              "coarser "
-             "grids are looks of the same bake; the one in cot ψ and the one whose texels share noise have their own\n"
+             "grids are looks of the same bake; the one in cot ψ, those whose texels share noise and those with rays "
+             "where the noise is have their own\n"
              "- {} rays a 2 m cell in each of the two traced maps of a view, {} where it was baked\n"
              "- {} bounces, seed {}, 10 GHz\n",
              plan.baked_samples, ResultsPlan::texel_m,
@@ -108,7 +110,8 @@ std::string results_markdown(const ResultsReport& report) {
   text += changes_section(plan, report.rows) + limits_section(plan, report.rows);
   text += "## Error by angle, bytes and cell size\n\n";
   for (const auto& [name, plot] : plots_of(report)) text += fmt::format("![{}]({})\n\n", plot.title, name);
-  return text + cell_section(report) + detail_section(report) + costs_section(report) + settings_text(report);
+  text += cell_section(report) + detail_section(report) + costs_section(report);
+  return text + tracing_section(plan, report.rows) + settings_text(report);
 }
 
 std::vector<product::PageSection> results_sections(const std::vector<ResultsRow>& rows) {
@@ -125,8 +128,8 @@ std::vector<product::PageSection> results_sections(const std::vector<ResultsRow>
       sections.back().facts.push_back({"truth against truth", floor_text(row, *cell)});
     }
     sections.back().facts.push_back(
-        {fmt::format("{}{}{}, {}, rays: {}, LOD {}", text_of(row.of.method), row.of.change.empty() ? "" : ", ",
-                     row.of.change, row.of.grid, rays_text(row.of.baked_samples), row.of.level_of_detail),
+        {fmt::format("{}{}{}, rays: {}, LOD {}", way_text(row.of), row.of.grid.empty() ? "" : ", ", row.of.grid,
+                     rays_text(row.of.baked_samples), row.of.level_of_detail),
          fmt::format("{}; {} MB, {:.0f} s", metrics_text(row, *cell), megabytes(row.atlas.store_bytes),
                      row.atlas.bake_seconds)});
   }

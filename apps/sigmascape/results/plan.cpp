@@ -122,6 +122,8 @@ std::string text_of(Method method) {
       return "ours, on level ground";
     case Method::OwnGround:
       return "ours, on its own ground";
+    case Method::Traced:
+      return "path-traced";
   }
   return "";
 }
@@ -179,7 +181,7 @@ ResultsPlan results_plan(const ResultsOptions& options) {
   plan.scene_file = options.scene_file;
   if (!options.around_m.empty()) plan.around_m = {options.around_m[0], options.around_m[1]};
   plan.grids = {{8, {5, 13, 21, 29}}, {8, {5, 13, 21, 29, 37}}, {16, {5, 9, 13, 21, 29, 37}}};
-  if (!options.small) plan.grids.push_back(ResultsPlan::finest_grid());
+  if (!options.small && !options.without_finest_grid) plan.grids.push_back(ResultsPlan::finest_grid());
   plan.baked_samples = options.baked_samples.value_or(options.small ? 64 : 100);
   plan.traced_samples = options.traced_samples.value_or(options.small ? 256 : 1024);
   plan.most_traced_samples = std::max(plan.traced_samples, options.most_traced_samples.value_or(0));
@@ -195,6 +197,7 @@ ResultsPlan results_plan(const ResultsOptions& options) {
   const std::size_t on_grid = options.on_grid.value_or(options.small ? 3 : 8);
   if (on_grid > on_first_grid)
     throw Error("--on-grid", fmt::format("is {}", on_grid), fmt::format("the first grid has {} looks", on_first_grid));
+  plan.has_default_bake = !options.small;
   plan.bounces = options.bounces;
   plan.seed = options.seed;
   plan.threads = options.threads;

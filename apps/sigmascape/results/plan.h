@@ -17,6 +17,7 @@ namespace sigmascape::cli {
 /// What a person may say about a measurement; what is absent follows from `small`.
 struct ResultsOptions {
   bool small = false;
+  bool without_finest_grid = false;  ///< as `small` goes too: that grid's bake takes longest
   std::string folder = "out/results";
   std::string measured;          ///< numbers of an earlier run to go on from; empty for none
   std::string page;              ///< Markdown page to write, its pictures beside it; empty for none
@@ -72,7 +73,11 @@ enum class Method {
   BakedShadows,  ///< Shadows::Baked
   LevelGround,   ///< Shadows::RunTime, objects baked on level ground
   OwnGround,     ///< the same, objects baked on their own terrain
+  Traced,        ///< from the full scene, with fewer rays than the truth
 };
+
+inline constexpr std::initializer_list<Method> all_methods = {Method::Paper, Method::BakedShadows, Method::LevelGround,
+                                                              Method::OwnGround, Method::Traced};
 
 [[nodiscard]] std::string text_of(Method method);
 
@@ -89,11 +94,16 @@ struct ResultsPlan {
   std::uint32_t traced_samples = 64;  ///< rays a 2 m cell of one traced map
   /// The same of views that were not baked and whose two maps do not agree with fewer (least_agreement).
   std::uint32_t most_traced_samples = 64;
+  /// Whether a bake as `sigmascape bake` makes it by default, with rays where the noise is, is measured from whole
+  /// grids too.
+  bool has_default_bake = true;
   int bounces = 8;
   std::uint64_t seed = 1;
   unsigned threads = 0;
 
   static constexpr double texel_m = 2000.0 / 1024.0;  ///< the paper's
+  /// Rays a 2 m cell of traced maps that are held against the truth as a way of their own.
+  static constexpr std::uint32_t few_traced_samples[] = {16, 64, 256};
 
   /// Rays a 2 m cell of one traced map of a view. Views that were baked are held to the highest aims and get as many
   /// as the looks that are baked again.

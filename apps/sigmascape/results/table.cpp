@@ -282,6 +282,10 @@ std::vector<ResultsRow> rows_of(const std::vector<ViewResult>& views) {
   return rows;
 }
 
+std::string way_text(const ResultsCase& of) {
+  return fmt::format("{}{}{}", text_of(of.method), of.change.empty() ? "" : ", ", of.change);
+}
+
 const ResultsRow* find_row(const std::vector<ResultsRow>& rows, const ResultsCase& of) {
   const auto found = std::ranges::find(rows, of, &ResultsRow::of);
   return found == rows.end() ? nullptr : &*found;

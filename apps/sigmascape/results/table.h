@@ -42,14 +42,17 @@ inline constexpr const char* adaptive_change = "rays where the noise is";
 struct ResultsCase {
   std::string scene;  ///< "hills", "level" or "place"
   Method method = Method::OwnGround;
-  std::string grid;                 ///< "8 × 5", or own_look for the one look that is the view's own
-  std::uint32_t baked_samples = 0;  ///< rays a texel; 0: as many as each wants
+  std::string grid;  ///< "8 × 5", or own_look for the one look that is the view's own; empty of traced maps
+  std::uint32_t baked_samples = 0;  ///< rays a texel, of traced maps a cell; 0: as many as each wants
   ViewKind kind = ViewKind::HeldOut;
   std::string change = {};  ///< what of the method is otherwise, one of the names below; empty for nothing
   int level_of_detail = 1;
 
   friend bool operator==(const ResultsCase&, const ResultsCase&) = default;
 };
+
+/// Method and change, "ours, on its own ground, rays where the noise is".
+[[nodiscard]] std::string way_text(const ResultsCase& of);
 
 /// The atlas that a map was rendered from.
 struct AtlasCost {

@@ -43,15 +43,8 @@ radar::GroundMap traced(const MeasuredScene& measured, const PlannedView& view, 
   const radar::RadarFile file = view.radar();
   const auto radar = simulate::placed_radar(file, scene.frame, scene.terrain, scene.extent);
   const auto grid = simulate::map_grid(file.map, scene.extent);
-  trace::TraceCounts counts;
   const ProcessorStopwatch watch;
-  const auto image = simulate::traced_image(scene, measured.geometry, radar, grid.extent(),
-                                            {.cell_m = grid.cell_m,
-                                             .samples_per_cell = samples,
-                                             .max_bounces = plan.bounces,
-                                             .seed = seed,
-                                             .threads = plan.threads},
-                                            counts);
+  const auto image = traced_image(measured, radar, grid, plan, samples, seed);
   return described_map(image, radar, scene.terrain, grid, scene.frame,
                        {{"scene", scene.name},
                         {"processing", "level of detail 0: path-traced"},
@@ -116,6 +109,19 @@ radar::GroundMap traced_or_kept(const MeasuredScene& measured, const PlannedView
 }
 
 }  // namespace
+
+radar::RangeAzimuthImage traced_image(const MeasuredScene& measured, const radar::Radar& radar,
+                                      const radar::GroundGrid& grid, const ResultsPlan& plan, std::uint32_t samples,
+                                      std::uint64_t seed) {
+  trace::TraceCounts counts;
+  return simulate::traced_image(measured.scene, measured.geometry, radar, grid.extent(),
+                                {.cell_m = grid.cell_m,
+                                 .samples_per_cell = samples,
+                                 .max_bounces = plan.bounces,
+                                 .seed = seed,
+                                 .threads = plan.threads},
+                                counts);
+}
 
 scene::Scene levelled(scene::Scene scene) {
   for (float& height_m : scene.terrain.height_m.values()) height_m = 0.0F;

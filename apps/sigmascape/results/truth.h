@@ -6,6 +6,8 @@
 #include "results/plan.h"
 
 #include "sigmascape/radar/ground_map.h"
+#include "sigmascape/radar/radar.h"
+#include "sigmascape/radar/range_azimuth_image.h"
 #include "sigmascape/scene/scene.h"
 #include "sigmascape/trace/scene_geometry.h"
 
@@ -13,7 +15,7 @@ namespace sigmascape::cli {
 
 /// A scene that is measured, under its short name.
 struct MeasuredScene {
-  std::string name;  ///< "hills" or "level"
+  std::string name;  ///< "hills", "level" or "place"
   scene::Scene scene;
   trace::SceneGeometry geometry;
 
@@ -23,6 +25,11 @@ struct MeasuredScene {
 
 /// The scene with its ground at height zero and every building upon it.
 [[nodiscard]] scene::Scene levelled(scene::Scene scene);
+
+/// What a path tracer makes of the scene with so many rays a cell, in range and azimuth.
+[[nodiscard]] radar::RangeAzimuthImage traced_image(const MeasuredScene& measured, const radar::Radar& radar,
+                                                    const radar::GroundGrid& grid, const ResultsPlan& plan,
+                                                    std::uint32_t samples, std::uint64_t seed);
 
 /// The path-traced map of a view, from two traced maps that differ in their seed alone.
 struct Truth {

@@ -28,8 +28,10 @@ TEST(ResultsCommandLine, HasWhatWasSaidOtherwise) {
   options.bounces = 3;
   options.page = "docs/page.md";
   options.most_traced_samples = 6144;
+  options.without_finest_grid = true;
   EXPECT_EQ(line_of(options),
-            "sigmascape results --itu-materials --scale 0.5 --held-out 2 --on-grid 8 --repeated 3 --samples 100 "
+            "sigmascape results --no-finest-grid --itu-materials --scale 0.5 --held-out 2 --on-grid 8 --repeated 3 "
+            "--samples 100 "
             "--traced-samples 1024 --most-traced-samples 6144 --finer-samples 4096 --bounces 3 --seed 7 --out "
             "out/results --page docs/page.md");
 }

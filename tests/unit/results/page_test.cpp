@@ -116,7 +116,14 @@ TEST(ResultsPage, HasTimeAndMemoryOfTracingBesideThoseOfMaps) {
     row.atlas.memory_bytes = 35'790'000;
     row.atlas.bake_seconds = 100.0;
   }
+  ResultsCase usual = made_case(report.plan, Method::OwnGround, ViewKind::HeldOut), traced = usual;
+  usual.baked_samples = 0;
+  usual.change = adaptive_change;
+  traced.method = Method::Traced;
+  for (const ResultsCase& of : {usual, traced}) report.rows.push_back(made_row(of, 4.0, 0.4));
   const std::string page = results_markdown(report);
+  EXPECT_THAT(page, HasSubstr("| ours, on its own ground, rays where the noise is | 8 × 5 | "));
+  EXPECT_THAT(page, Not(HasSubstr("| path-traced | 8 × 5 | "))) << "few rays are no grid";
   EXPECT_THAT(page, HasSubstr("| *path-traced*, 1024 rays a cell | | | | 1.00 | | | 19.5 |"));
   EXPECT_THAT(page, HasSubstr("| paper | 8 × 5 | 40 | 2.00 | 35.79 | 100 | 2.5 | 0.128 |"));
   EXPECT_THAT(page, HasSubstr("the scene has 1000 within the square"));
