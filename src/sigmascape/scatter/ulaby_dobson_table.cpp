@@ -24,12 +24,12 @@ const std::vector<UlabyDobsonRow>& ulaby_dobson_table() {
   using Band = UlabyDobsonBand;
   using Channel = UlabyDobsonChannel;
   static const std::vector<UlabyDobsonRow> rows{
-      {Class::Soil, Band::L, Channel::HH, {2442.0, -3.771, -2.193, -2442.0, 0.1711, -0.07967}, 0.0, 70.0, true},
-      {Class::Soil, Band::L, Channel::HV, {-30.2, 15.261, 3.56, -0.424, 0.0, 0.0}, 0.0, 70.0, true},
-      {Class::Soil, Band::L, Channel::VV, {-94.36, 99.0, 0.365, -3.398, 5.0, -1.739}, 0.0, 70.0, true},
-      {Class::Soil, Band::S, Channel::HH, {-91.2, 99.0, 0.433, 5.063, 2.941, -3.142}, 0.0, 70.0, true},
-      {Class::Soil, Band::S, Channel::HV, {-46.467, 31.788, 2.189, -17.99, 1.34, 1.583}, 0.0, 70.0, true},
-      {Class::Soil, Band::S, Channel::VV, {-97.016, 99.0, 0.27, -2.056, 5.0, -1.754}, 0.0, 70.0, true},
+      {Class::Soil, Band::L, Channel::HH, {2442.0, -3.771, -2.193, -2442.0, 0.1711, -0.07967}, 0.0, 60.0, true},
+      {Class::Soil, Band::L, Channel::HV, {-30.2, 15.261, 3.56, -0.424, 0.0, 0.0}, 0.0, 60.0, true},
+      {Class::Soil, Band::L, Channel::VV, {-94.36, 99.0, 0.365, -3.398, 5.0, -1.739}, 0.0, 60.0, true},
+      {Class::Soil, Band::S, Channel::HH, {-91.2, 99.0, 0.433, 5.063, 2.941, -3.142}, 0.0, 60.0, true},
+      {Class::Soil, Band::S, Channel::HV, {-46.467, 31.788, 2.189, -17.99, 1.34, 1.583}, 0.0, 60.0, true},
+      {Class::Soil, Band::S, Channel::VV, {-97.016, 99.0, 0.27, -2.056, 5.0, -1.754}, 0.0, 60.0, true},
       {Class::Soil, Band::C, Channel::HH, {-24.855, 26.351, 1.146, 0.204, 0.0, 0.0}, 0.0, 70.0, true},
       {Class::Soil, Band::C, Channel::HV, {-26.7, 15.055, 1.816, -0.499, 0.0, 0.0}, 0.0, 70.0, true},
       {Class::Soil, Band::C, Channel::VV, {-24.951, 28.742, 1.043, -1.681, 0.0, 0.0}, 0.0, 70.0, true},

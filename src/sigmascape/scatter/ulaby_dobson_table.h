@@ -17,7 +17,7 @@ struct UlabyDobsonRow {
   UlabyDobsonChannel channel;
   std::array<double, 6> p;  ///< P1 to P6
   double least_incidence_deg;
-  double greatest_incidence_deg;
+  double greatest_incidence_deg;  ///< one for the three channels of a class and band
   bool verified;
 
   /// The fit itself, which follows no surface outside its angles:
