@@ -94,9 +94,10 @@ class Microfacets {
     const float cos_angle = dot(w, normal);
     const Vec3f sideways = w - normal * cos_angle;
     const float sin_angle = length(sideways);
-    // A view from straight above has no azimuth, and none is needed.
-    const bool is_oblique = sin_angle > 1e-7F;
-    const Vec3f any = Basis(normal).tangent, view = sideways * (1.0F / std::max(sin_angle, 1e-7F));
+    // A view from straight above has no azimuth, and none is needed; `sideways` is then what rounding leaves, which may
+    // well point along the normal.
+    const bool is_oblique = sin_angle > least_oblique_sine;
+    const Vec3f any = Basis(normal).tangent, view = sideways * (1.0F / std::max(sin_angle, least_oblique_sine));
     const Vec3f ahead{is_oblique ? view.x : any.x, is_oblique ? view.y : any.y, is_oblique ? view.z : any.z};
     const Vec3f aside = cross(normal, ahead);
     const Vec3f facet = distribution_ == MicrofacetDistribution::Beckmann
@@ -106,6 +107,10 @@ class Microfacets {
   }
 
  private:
+  /// The root of what single precision resolves. From here on rounding turns the view by less than a thousandth, and
+  /// below it slopes are drawn as far astray by an azimuth that is not the view's.
+  static constexpr float least_oblique_sine = 3e-4F;
+
   /// By the cosine of the tilt and the square of its sine, which is not 1 − cos²: for the narrow lobes of smooth
   /// surfaces that is nothing but rounding.
   [[nodiscard]] float density(float cosine, float sine2) const {

@@ -114,6 +114,62 @@ TEST_P(EveryDistribution, SamplingSurvivesTheEndsOfTheUnitSquare) {
   }
 }
 
+/// The part of the facets whose tilt has a tangent up to α, as a wave along the normal sees them.
+double part_within_alpha(MicrofacetDistribution distribution) {
+  return distribution == MicrofacetDistribution::Beckmann ? 1.0 - std::exp(-1.0) : 0.5;
+}
+
+// Of a wave that meets a tilted face head-on, the part across the normal is nothing but rounding. From a thousandth of
+// a degree to a tenth the facets that are seen are still those of a wave along the normal.
+TEST_P(EveryDistribution, FacetsSeenHeadOnLeanAllWaysAlike) {
+  constexpr int tilts = 40, draws = 1000;
+  for (const double off_deg : {0.0, 1e-5, 1e-4, 1e-3, 1e-2, 0.1}) {
+    for (const double alpha : {0.05, 1.0}) {
+      const Microfacets facets(GetParam(), static_cast<float>(alpha));
+      int within = 0, with_view = 0, along = 0;
+      for (std::uint64_t tilt = 0; tilt < tilts; ++tilt) {
+        const Vec3f normal = direction(85.0 * unit_float(hashed(tilt, 1)), 360.0 * unit_float(hashed(tilt, 2)));
+        const Basis basis(normal);
+        const Vec3f w = normalized(basis.world_from_local(direction(off_deg, 360.0 * unit_float(hashed(tilt, 3)))));
+        for (std::uint64_t i = 0; i < draws; ++i) {
+          const std::uint64_t draw = hashed(tilt, i);
+          const Vec3f m = basis.local_from_world(
+              facets.visible_normal(w, normal, {unit_float(hashed(draw, 4)), unit_float(hashed(draw, 5))}));
+          within += std::hypot(m.x, m.y) <= alpha * m.z ? 1 : 0;
+          with_view += m.x > 0.0F ? 1 : 0;
+          along += std::abs(m.x) > std::abs(m.y) ? 1 : 0;
+        }
+      }
+      constexpr double all = tilts * draws;
+      EXPECT_NEAR(within / all, part_within_alpha(GetParam()), 0.01) << "α " << alpha << ", " << off_deg << "° off";
+      EXPECT_NEAR(with_view / all, 0.5, 0.01) << "α " << alpha << ", " << off_deg << "° off";
+      EXPECT_NEAR(along / all, 0.5, 0.01) << "α " << alpha << ", " << off_deg << "° off";
+    }
+  }
+}
+
+// ∫ b cos θ dω of ideal mirrors, by samples from a tilted face and by quadrature over the facets of a level one.
+TEST_P(EveryDistribution, TiltedFacesMetHeadOnReturnWhatLevelOnesDo) {
+  const Microfacets facets(GetParam(), 1.0F);
+  const Vec3f up{0.0F, 0.0F, 1.0F};
+  const double expected = over_facets(
+      1.0,
+      [&](Vec3f m) {
+        const Vec3f out = m * (2.0F * m.z) - up;
+        return out.z > 0.0F ? static_cast<double>(facets.density(m) * facets.visible_part(up, out) * m.z) : 0.0;
+      },
+      2000, 4);
+  const Vec3f normal = normalized(Vec3f{0.2F, -0.3F, 0.9F});
+  double returned = 0.0;
+  constexpr int draws = 40'000;
+  for (std::uint64_t i = 0; i < draws; ++i) {
+    const Vec3f m = facets.visible_normal(normal, normal, {unit_float(hashed(i, 1)), unit_float(hashed(i, 2))});
+    const Vec3f out = m * (2.0F * dot(normal, m)) - normal;
+    if (dot(out, normal) > 0.0F) returned += static_cast<double>(facets.visible_part(dot(out, normal))) / draws;
+  }
+  EXPECT_NEAR(returned, expected, 0.01 * expected);
+}
+
 std::string distribution_name(const testing::TestParamInfo<MicrofacetDistribution>& info) {
   return info.param == MicrofacetDistribution::Beckmann ? "Beckmann" : "Ggx";
 }
