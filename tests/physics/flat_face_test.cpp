@@ -57,6 +57,66 @@ TEST(FlatFace, ReturnsThePlatesPowerOverAllAngles) {
   }
 }
 
+/// Of a disc of physical optics: 4πA²/λ² cos² θ (2 J1(x)/x)², x = 2 k a sin θ.
+double disc_cross_section_m2(double incidence_rad, double area_m2) {
+  const double x = 2.0 * (2.0 * pi / wavelength) * std::sqrt(area_m2 / pi) * std::sin(incidence_rad);
+  const double lobe = x < 1e-6 ? 1.0 : 2.0 * std::cyl_bessel_j(1.0, x) / x;
+  return 4.0 * pi * area_m2 * area_m2 / (wavelength * wavelength) * std::pow(std::cos(incidence_rad) * lobe, 2);
+}
+
+/// Over all ways in which a plate may be turned.
+template <typename CrossSection>
+double mean_over_orientations_m2(CrossSection cross_section_m2) {
+  double mean = 0.0;
+  const double step = 1e-3;
+  for (double theta = 0.5 * step; theta < 0.5 * pi; theta += step)
+    mean += cross_section_m2(theta) * std::sin(theta) * step;
+  return mean;
+}
+
+// A face smaller than λ²/2π: the lobe of its diffraction is as wide as a lobe can be.
+TEST(FlatFace, SmallOnesAreStrongestAlongTheNormal) {
+  for (const double part_of_square_wavelength : {0.02, 0.05, 0.1, 0.159}) {
+    const double area_m2 = part_of_square_wavelength * wavelength * wavelength;
+    const double peak_m2 = cross_section_m2(plate(), 0.0, area_m2);
+    EXPECT_NEAR(peak_m2, 4.0 * pi * std::pow(area_m2 / wavelength, 2), 1e-3 * peak_m2);
+    for (double incidence_deg = 1.0; incidence_deg < 90.0; incidence_deg += 1.0)
+      EXPECT_LE(cross_section_m2(plate(), radians_from_deg(incidence_deg), area_m2), peak_m2 * (1.0 + 1e-6))
+          << incidence_deg << "°";
+  }
+}
+
+TEST(FlatFace, SmallOnesReturnThePowerOfDiscsOverAllOrientations) {
+  // A leaf of 0.02 m² at 435 MHz has 0.042 λ².
+  for (const double part_of_square_wavelength : {0.005, 0.02, 0.042}) {
+    const double area_m2 = part_of_square_wavelength * wavelength * wavelength;
+    const double expected =
+        mean_over_orientations_m2([&](double theta) { return disc_cross_section_m2(theta, area_m2); });
+    const double measured =
+        mean_over_orientations_m2([&](double theta) { return cross_section_m2(plate(), theta, area_m2); });
+    EXPECT_NEAR(db_from_linear(measured / expected), 0.0, 0.5) << part_of_square_wavelength << " λ²";
+  }
+}
+
+// What passes by is taken from the fields; directions are drawn as if all were met.
+TEST(FlatFace, SmallOnesPassOnWhatTheyMeet) {
+  const double area_m2 = 0.042 * wavelength * wavelength;
+  const Facet face(up, static_cast<float>(1.0 / area_m2));
+  const CookTorrance small = plate();
+  // The same mirrors as ground without end, whose slopes are as wide as diffraction makes those of a small face.
+  const CookTorrance wide{{{1.0, 0.0, 1e9, 0.0}, std::sqrt(0.5)}, frequency_hz};
+  const double met = 0.5 / (1e-8 + wavelength * wavelength / (4.0 * pi * area_m2));
+  const Vec3f to_source = normalized(Vec3f{0.3F, 0.1F, 0.8F}), to_sink = normalized(Vec3f{-0.5F, 0.4F, 0.7F});
+  const PolarizationBasis basis(-to_source);
+  const FieldPair in{{basis.v, {}}, {basis.h, {}}};
+  const Passage passed = small.pass_on(in, to_source, to_sink, face, {});
+  const Passage reference = wide.pass_on(in, to_source, to_sink, up, {});
+  EXPECT_NEAR(passed.fields.mean_power(), met * reference.fields.mean_power(), 1e-5 * reference.fields.mean_power());
+  EXPECT_FLOAT_EQ(passed.pdf, reference.pdf);
+  EXPECT_FLOAT_EQ(passed.reverse_pdf, reference.reverse_pdf);
+  EXPECT_FLOAT_EQ(small.sample(to_source, face, {0.3F, 0.6F}).pdf, wide.sample(to_source, up, {0.3F, 0.6F}).pdf);
+}
+
 // The diffuse part of a façade adds to the lobe as power, whatever the phases of single draws.
 TEST(Facade, PartsAddAsPowers) {
   CookTorranceParameters parameters{{5.24, 0.0, 0.0462, 0.7822}, 0.3};

@@ -21,9 +21,9 @@ struct CookTorranceOptions {
 ///     b = |R|² D(h) G2 / (4 cos θi cos θo),   h the half vector          docs/physics/cook_torrance.md, Eq. (1)
 ///
 /// In backscatter this is σ0 = π D |R(0)|² G1, Kirchhoff's geometric optics for Beckmann. A flat face of area A widens
-/// the lobe by diffraction, α² + λ²/(4πA), so that it peaks as high as the plate of physical optics. With a scattering
-/// coefficient S the lobe keeps 1 − S² of the power and S² leaves diffusely [Degli-Esposti et al. 2007]; Eqs. (13),
-/// (14).
+/// the lobe by diffraction, α² + λ²/(4πA), so that it peaks as high as the plate of physical optics; past faces that
+/// are small against the wave part of the power goes by. With a scattering coefficient S the lobe keeps 1 − S² of the
+/// power and S² leaves diffusely [Degli-Esposti et al. 2007]; Eqs. (13), (14).
 class CookTorrance {
  public:
   /// With the masking and multiple scattering that the parameters state.

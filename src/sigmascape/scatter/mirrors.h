@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
 
@@ -34,21 +35,21 @@ class Mirrors {
   /// docs/physics/cook_torrance.md, Eq. (1), where both directions are one. The facets that answer are seen head-on:
   /// both polarizations alike and no cross-polarization, whatever the tilt.
   [[nodiscard]] radar::Channels backscatter(Vec3f to_radar, const Facet& face) const {
-    const Microfacets facets = facets_on(face);
+    const auto [facets, met] = diffracted(face);
     const float cosine = dot(to_radar, face.normal);
-    const float brdf = normal_reflectivity_ * facets.density(to_radar, face.normal) *
+    const float brdf = met * normal_reflectivity_ * facets.density(to_radar, face.normal) *
                        facets.visible_part_in_backscatter(cosine) / (4.0F * cosine * cosine);
     return {brdf, brdf, 0.0F, brdf};
   }
 
   /// A direction with the density that `pass_on` tells.
   [[nodiscard]] Vec3f sample(Vec3f to_source, const Facet& face, Vec2f u) const {
-    const Vec3f facet = facets_on(face).visible_normal(to_source, face.normal, u);
+    const Vec3f facet = diffracted(face).facets.visible_normal(to_source, face.normal, u);
     return normalized(facet * (2.0F * dot(to_source, facet)) - to_source);
   }
 
   [[nodiscard]] float pdf(Vec3f to_source, Vec3f to_sink, const Facet& face) const {
-    const Microfacets facets = facets_on(face);
+    const Microfacets facets = diffracted(face).facets;
     const float cosine = dot(to_source, face.normal);
     const bool is_seen = cosine > 0.0F && dot(to_sink, face.normal) > 0.0F;
     const float density = facets.density(normalized(to_source + to_sink), face.normal);
@@ -56,24 +57,35 @@ class Mirrors {
   }
 
   [[nodiscard]] Passage pass_on(const FieldPair& in, Vec3f to_source, Vec3f to_sink, const Facet& face) const {
-    const Microfacets facets = facets_on(face);
+    const auto [facets, met] = diffracted(face);
     const Vec3f half = normalized(to_source + to_sink);
     const float cos_source = dot(to_source, face.normal), cos_sink = dot(to_sink, face.normal);
     const float lambda_source = facets.lambda(cos_source), lambda_sink = facets.lambda(cos_sink);
     const float density = facets.density(half, face.normal);
     const float visible = facets.visible_part(to_source, to_sink, face.normal, lambda_source, lambda_sink);
     const bool is_seen = cos_source > 0.0F && cos_sink > 0.0F;
-    const float brdf = density * visible / (4.0F * cos_source * cos_sink);
+    const float brdf = met * density * visible / (4.0F * cos_source * cos_sink);
     return {reflected(in, permittivity(), -to_source, to_sink, half) * std::sqrt(is_seen ? brdf : 0.0F),
             is_seen ? density / ((1.0F + lambda_source) * (4.0F * cos_source)) : 0.0F,
             is_seen ? density / ((1.0F + lambda_sink) * (4.0F * cos_sink)) : 0.0F};
   }
 
  private:
-  /// The facets as diffraction at a face of this size lets them appear.
-  [[nodiscard]] Microfacets facets_on(const Facet& face) const {
-    return facets_.widened(std::sqrt(facets_.alpha() * facets_.alpha() + diffraction_m2_ * face.inverse_area_per_m2));
+  /// What diffraction makes of a face.
+  struct Diffracted {
+    Microfacets facets;
+    float met;  ///< the part of the power falling on the face that meets the facets; the rest passes by
+  };
+  /// docs/physics/cook_torrance.md, Eq. (13).
+  [[nodiscard]] Diffracted diffracted(const Facet& face) const {
+    const float alpha2 = facets_.alpha() * facets_.alpha();
+    const float unbounded = alpha2 + diffraction_m2_ * face.inverse_area_per_m2;
+    const float bounded = std::min(unbounded, std::max(alpha2, widest_by_diffraction));
+    return {facets_.widened(std::sqrt(bounded)), bounded / unbounded};
   }
+
+  /// α² from which on Beckmann's lobe would no longer be strongest along the normal.
+  static constexpr float widest_by_diffraction = 0.5F;
 
   Microfacets facets_;
   Amplitude permittivity_;
