@@ -51,8 +51,10 @@ struct ConstantsReader {
     read_depolarization(section, lambert.depolarization);
   }
   void operator()(scatter::ConstantGammaParameters& diffuse) const {
-    if (const auto gamma_db = section.optional_number("gamma_db", {-80.0, 0.0, "dB"}))
+    if (const auto gamma_db = section.optional_number("gamma_db", {-80.0, 0.0, "dB"})) {
       diffuse.gamma = linear_from_db(*gamma_db);
+      leave_frequencies_to_the_model();
+    }
     diffuse.frequency_law = chosen(section, "frequency_law", gamma_laws, diffuse.frequency_law);
     if (diffuse.frequency_law != scatter::GammaFrequencyLaw::AsStated) material.verified = false;
     read_depolarization(section, diffuse.depolarization);

@@ -160,5 +160,14 @@ TEST_F(MaterialReader, NewPermittivityDropsTheBasesFrequencies) {
   EXPECT_GT(read("base = \"metal\"\nconductivity_s_per_m = 1e6\n").highest_frequency_hz, 1e11);
 }
 
+// Nor is a γ of one's own, which is that of the frequency of use.
+TEST_F(MaterialReader, NewGammaDropsTheBasesFrequencies) {
+  const auto known = [&](const std::string& lines) { return scatter::known_frequencies(read(lines)); };
+  EXPECT_EQ(known("base = \"grass\"\ngamma_db = -20\n"), known("model = \"constant_gamma\"\ngamma_db = -20\n"));
+  // The base's own γ is known no further than before, whatever else is stated.
+  EXPECT_EQ(known("base = \"grass\"\ncross_ratio_db = -8\n"), scatter::known_frequencies(read("base = \"grass\"\n")));
+  EXPECT_EQ(read("base = \"grass\"\nfrequency_law = \"square_root_from_10_ghz\"\n").highest_frequency_hz, 40e9);
+}
+
 }  // namespace
 }  // namespace sigmascape::scene
