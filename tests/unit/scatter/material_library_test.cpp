@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <fstream>
 #include <gtest/gtest.h>
 #include <set>
@@ -58,10 +59,17 @@ struct ConstantsCell {
   }
 };
 
+/// In GHz, with the gaps that a table leaves.
+std::string frequencies_cell(const Material& material) {
+  std::vector<std::string> ranges;
+  for (const FrequencyRange& known : known_frequencies(material))
+    ranges.push_back(fmt::format("{:g}–{:g}", known.lowest_hz / 1e9, known.highest_hz / 1e9));
+  return fmt::format("{}", fmt::join(ranges, ", "));
+}
+
 std::string table_row(const Material& material) {
-  return fmt::format("| `{}` | {} | {:g}–{:g} | {} | {} |", material.name, std::visit(ConstantsCell{}, material.model),
-                     material.lowest_frequency_hz / 1e9, material.highest_frequency_hz / 1e9,
-                     material.verified ? "yes" : "**no**", material.source);
+  return fmt::format("| `{}` | {} | {} | {} | {} |", material.name, std::visit(ConstantsCell{}, material.model),
+                     frequencies_cell(material), material.verified ? "yes" : "**no**", material.source);
 }
 
 TEST(MaterialLibrary, PageListsEveryMaterialAsItIs) {
