@@ -1,132 +1,101 @@
 #include "sigmascape/geo/polygon_overlay.h"
 
+#include <cmath>
 #include <geos_c.h>
-#include <memory>
+#include <string>
+#include <tuple>
 #include <utility>
+
+#include "sigmascape/geo/geos_geometry.h"
 
 namespace sigmascape::geo {
 namespace {
 
 constexpr double grid_m = 0.001;
 
-/// GEOS state of one thread.
-GEOSContextHandle_t geos() {
-  struct Context {
-    GEOSContextHandle_t handle = GEOS_init_r();
-    ~Context() { GEOS_finish_r(handle); }
-  };
-  thread_local Context context;
-  return context.handle;
+Polygons made(GEOSGeometry* geometry, const std::string& undone, const Polygons& of) {
+  const GeosGeometry owned(geometry);
+  if (!owned) throw geos_fault(undone, of);
+  return polygons_of(owned);
 }
 
-struct GeometryDeleter {
-  void operator()(GEOSGeometry* geometry) const { GEOSGeom_destroy_r(geos(), geometry); }
-};
-using Geometry = std::unique_ptr<GEOSGeometry, GeometryDeleter>;
-
-GEOSGeometry* linear_ring(const Ring& ring) {
-  const auto count = static_cast<unsigned>(ring.size());
-  GEOSCoordSequence* sequence = GEOSCoordSeq_create_r(geos(), count + 1, 2);
-  for (unsigned i = 0; i <= count; ++i) {
-    const Vec2d& corner = ring[i % count];
-    GEOSCoordSeq_setXY_r(geos(), sequence, i, corner.x, corner.y);
-  }
-  return GEOSGeom_createLinearRing_r(geos(), sequence);
+bool is_valid(const GeosGeometry& geometry) {
+  return geometry && GEOSisValid_r(geos(), geometry.get()) == 1;
 }
 
-Geometry geometry_of(const Polygon& polygon) {
-  std::vector<GEOSGeometry*> holes;
-  for (const Ring& hole : polygon.holes) {
-    if (hole.size() >= 3) holes.push_back(linear_ring(hole));
-  }
-  return Geometry(
-      GEOSGeom_createPolygon_r(geos(), linear_ring(polygon.outer), holes.data(), static_cast<unsigned>(holes.size())));
+/// Whether a geometry is as large as what the rings of a polygon enclose, as it is of rings that touch themselves or
+/// one another without crossing.
+bool is_as_large(const GeosGeometry& geometry, const Polygon& polygon) {
+  constexpr double rounding = 1e-6;
+  double area = 0.0;
+  const double wanted_m2 = area_m2(polygon);
+  return geometry && wanted_m2 > 0.0 && GEOSArea_r(geos(), geometry.get(), &area) == 1 &&
+         std::abs(area - wanted_m2) <= rounding * wanted_m2;
 }
 
-Geometry geometry_of(const Polygons& polygons) {
-  std::vector<GEOSGeometry*> parts;
-  for (const Polygon& polygon : polygons) parts.push_back(geometry_of(polygon).release());
-  return Geometry(
-      GEOSGeom_createCollection_r(geos(), GEOS_MULTIPOLYGON, parts.data(), static_cast<unsigned>(parts.size())));
+/// The outline without the courtyards.
+GeosGeometry outline_less_holes(const Polygon& polygon) {
+  Polygons holes;
+  for (const Ring& hole : polygon.holes) holes.push_back({hole, {}});
+  const GeosGeometry all_holes(GEOSUnaryUnion_r(geos(), geometry_of(holes).get()));
+  if (!all_holes) return nullptr;
+  return GeosGeometry(GEOSDifference_r(geos(), geometry_of(Polygon{polygon.outer, {}}).get(), all_holes.get()));
 }
 
-Ring ring_of(const GEOSGeometry* line) {
-  const GEOSCoordSequence* sequence = GEOSGeom_getCoordSeq_r(geos(), line);
-  unsigned count = 0;
-  GEOSCoordSeq_getSize_r(geos(), sequence, &count);
-  Ring ring(count);
-  for (unsigned i = 0; i < count; ++i) GEOSCoordSeq_getXY_r(geos(), sequence, i, &ring[i].x, &ring[i].y);
-  return ring;
-}
-
-Polygon polygon_of(const GEOSGeometry* geometry) {
-  Polygon polygon{tidy_ring(ring_of(GEOSGetExteriorRing_r(geos(), geometry)), true), {}};
-  for (int i = 0; i < GEOSGetNumInteriorRings_r(geos(), geometry); ++i) {
-    polygon.holes.push_back(tidy_ring(ring_of(GEOSGetInteriorRingN_r(geos(), geometry, i)), false));
-  }
-  return polygon;
-}
-
-void append_polygons(const GEOSGeometry* geometry, Polygons& polygons) {
-  if (geometry == nullptr) return;
-  const int type = GEOSGeomTypeId_r(geos(), geometry);
-  if (type == GEOS_POLYGON) {
-    if (GEOSisEmpty_r(geos(), geometry) == 0) polygons.push_back(polygon_of(geometry));
-  } else if (type == GEOS_MULTIPOLYGON || type == GEOS_GEOMETRYCOLLECTION) {
-    for (int i = 0; i < GEOSGetNumGeometries_r(geos(), geometry); ++i) {
-      append_polygons(GEOSGetGeometryN_r(geos(), geometry, i), polygons);
-    }
-  }
-}
-
-Polygons polygons_of(const Geometry& geometry) {
-  Polygons polygons;
-  append_polygons(geometry.get(), polygons);
-  return polygons;
+/// A valid geometry of what the even-odd rule calls inside, and whether rings cross in the polygon.
+std::pair<GeosGeometry, Rings> mended(const Polygon& polygon, const GeosGeometry& geometry) {
+  GeosGeometry valid(GEOSMakeValid_r(geos(), geometry.get()));
+  if (is_as_large(valid, polygon)) return {std::move(valid), Rings::Touch};
+  // It fills courtyards that share a piece of the outline.
+  GeosGeometry less_holes = outline_less_holes(polygon);
+  if (is_valid(less_holes) && is_as_large(less_holes, polygon)) return {std::move(less_holes), Rings::Touch};
+  return {std::move(valid), Rings::Cross};
 }
 
 }  // namespace
 
 Repaired repaired(const Polygon& polygon) {
-  if (polygon.outer.size() < 3) return {{}, false};
-  const Geometry geometry = geometry_of(polygon);
+  if (polygon.outer.size() < 3) return {{}, Rings::Cross};
+  const GeosGeometry geometry = geometry_of(polygon);
   Repaired result;
-  result.was_valid = GEOSisValid_r(geos(), geometry.get()) == 1;
-  const Geometry valid(result.was_valid ? GEOSGeom_clone_r(geos(), geometry.get())
-                                        : GEOSMakeValid_r(geos(), geometry.get()));
-  if (valid) result.polygons = polygons_of(Geometry(GEOSGeom_setPrecision_r(geos(), valid.get(), grid_m, 0)));
+  GeosGeometry valid;
+  if (!is_valid(geometry)) {
+    std::tie(valid, result.were) = mended(polygon, geometry);
+    if (!valid) throw geos_fault("cannot be repaired", {polygon});
+  }
+  result.polygons = made(GEOSGeom_setPrecision_r(geos(), (valid ? valid : geometry).get(), grid_m, 0),
+                         "cannot be snapped to a grid", {polygon});
   return result;
 }
 
 Polygons simplified(const Polygons& polygons, double tolerance_m) {
-  const Geometry geometry = geometry_of(polygons);
-  return polygons_of(Geometry(GEOSTopologyPreserveSimplify_r(geos(), geometry.get(), tolerance_m)));
+  const GeosGeometry geometry = geometry_of(polygons);
+  const GeosGeometry simple(GEOSTopologyPreserveSimplify_r(geos(), geometry.get(), tolerance_m));
+  if (is_valid(simple)) return polygons_of(simple);
+  if (polygons.size() == 1) return polygons;
+  Polygons each_by_itself;
+  for (const Polygon& polygon : polygons) {
+    for (Polygon& part : simplified({polygon}, tolerance_m)) each_by_itself.push_back(std::move(part));
+  }
+  return is_valid(geometry_of(each_by_itself)) ? each_by_itself : polygons;
 }
 
 Polygons united(const Polygons& a, const Polygons& b) {
-  return polygons_of(Geometry(GEOSUnionPrec_r(geos(), geometry_of(a).get(), geometry_of(b).get(), grid_m)));
+  return made(GEOSUnionPrec_r(geos(), geometry_of(a).get(), geometry_of(b).get(), grid_m), "cannot be united", a);
 }
 
 Polygons united_all(const Polygons& polygons) {
-  return polygons_of(Geometry(GEOSUnaryUnionPrec_r(geos(), geometry_of(polygons).get(), grid_m)));
+  return made(GEOSUnaryUnionPrec_r(geos(), geometry_of(polygons).get(), grid_m), "cannot be united", polygons);
 }
 
 Polygons subtracted(const Polygons& from, const Polygons& cut) {
-  return polygons_of(Geometry(GEOSDifferencePrec_r(geos(), geometry_of(from).get(), geometry_of(cut).get(), grid_m)));
+  return made(GEOSDifferencePrec_r(geos(), geometry_of(from).get(), geometry_of(cut).get(), grid_m), "cannot be cut",
+              from);
 }
 
 Polygons intersected(const Polygons& a, const Polygons& b) {
-  return polygons_of(Geometry(GEOSIntersectionPrec_r(geos(), geometry_of(a).get(), geometry_of(b).get(), grid_m)));
-}
-
-std::vector<std::array<Vec2d, 3>> triangulated(const Polygon& polygon) {
-  const Geometry shape = geometry_of(polygon);
-  const Geometry triangles(GEOSConstrainedDelaunayTriangulation_r(geos(), shape.get()));
-  std::vector<std::array<Vec2d, 3>> result;
-  for (const Polygon& triangle : polygons_of(triangles)) {
-    if (triangle.outer.size() == 3) result.push_back({triangle.outer[0], triangle.outer[1], triangle.outer[2]});
-  }
-  return result;
+  return made(GEOSIntersectionPrec_r(geos(), geometry_of(a).get(), geometry_of(b).get(), grid_m),
+              "cannot be laid over another", a);
 }
 
 }  // namespace sigmascape::geo

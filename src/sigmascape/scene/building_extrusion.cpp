@@ -7,7 +7,7 @@
 #include <map>
 #include <utility>
 
-#include "sigmascape/geo/polygon_overlay.h"
+#include "sigmascape/geo/polygon_triangulation.h"
 
 namespace sigmascape::scene {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "sigmascape/base/error.h"
-#include "sigmascape/geo/polygon_overlay.h"
+#include "sigmascape/geo/polygon_triangulation.h"
 
 namespace sigmascape::scene {
 namespace {

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
+#include "sigmascape/base/error.h"
+
 namespace sigmascape::geo {
 namespace {
 
@@ -12,13 +14,13 @@ Polygon box(double west, double south, double east, double north) {
 
 TEST(PolygonOverlay, ValidPolygonStaysAsItIs) {
   const auto result = repaired(box(0, 0, 4, 3));
-  EXPECT_TRUE(result.was_valid);
+  EXPECT_EQ(result.were, Rings::Valid);
   EXPECT_DOUBLE_EQ(area_m2(result.polygons), 12.0);
 }
 
 TEST(PolygonOverlay, BowTieBecomesItsTwoTriangles) {
   const auto result = repaired({{{0, 0}, {10, 10}, {10, 0}, {0, 10}}, {}});
-  EXPECT_FALSE(result.was_valid);
+  EXPECT_EQ(result.were, Rings::Cross);
   EXPECT_EQ(result.polygons.size(), 2U);
   EXPECT_NEAR(area_m2(result.polygons), 50.0, 1e-6);
 }
@@ -39,25 +41,44 @@ TEST(PolygonOverlay, CutUniteAndIntersectKeepArea) {
   EXPECT_TRUE(intersected(a, {box(20, 20, 30, 30)}).empty());
 }
 
-TEST(PolygonOverlay, TrianglesFillAPolygonWithHolesAndLeaveTheHolesOpen) {
-  Polygon yard = box(0, 0, 20, 10);
-  yard.holes = {{{2, 2}, {2, 8}, {8, 8}, {8, 2}}, {{12, 3}, {12, 7}, {17, 7}, {17, 3}}};
-  double area = 0.0;
-  for (const auto& [a, b, c] : triangulated(yard)) {
-    const double twice = cross(b - a, c - a);
-    EXPECT_GT(twice, 0.0);
-    area += twice / 2.0;
-    const Vec2d middle = (a + b + c) * (1.0 / 3.0);
-    EXPECT_FALSE(middle.x > 2 && middle.x < 8 && middle.y > 2 && middle.y < 8);
-    EXPECT_FALSE(middle.x > 12 && middle.x < 17 && middle.y > 3 && middle.y < 7);
-  }
-  EXPECT_NEAR(area, 200.0 - 36.0 - 20.0, 1e-9);
-}
-
 TEST(PolygonOverlay, SimplifyingDropsCornersOnAStraightEdge) {
   const auto result = simplified({{{{0, 0}, {3, 0.001}, {6, 0}, {6, 5}, {0, 5}}, {}}}, 0.05);
   ASSERT_EQ(result.size(), 1U);
   EXPECT_EQ(result[0].outer.size(), 4U);
+}
+
+// Half of the square without its corner in the south-east, and a courtyard in what goes with that corner.
+TEST(PolygonOverlay, SimplifyingMakesNoRingsCross) {
+  const Polygon yard{{{7, 0}, {10, 0}, {10, 10}, {0, 10}, {0, 0}}, {{{7, 0}, {8, 2}, {9, 1}}}};
+  const Polygon far = box(20, 0, 30, 10);
+  for (const Polygons& shape : {Polygons{yard}, Polygons{far, yard}}) {
+    const auto result = simplified(shape, 3.0);
+    ASSERT_EQ(result.size(), shape.size());
+    for (const Polygon& polygon : result) EXPECT_EQ(repaired(polygon).were, Rings::Valid);
+    EXPECT_NEAR(area_m2(result), area_m2(shape), 1e-9);
+  }
+}
+
+TEST(PolygonOverlay, CourtyardsAgainstTheOutlineTouchAndDoNotCross) {
+  const Ring against_the_west{{0, 4}, {4, 4}, {4, 6}, {0, 6}}, through_the_west{{-1, 4}, {4, 4}, {4, 6}, {-1, 6}};
+  const auto touching = repaired({box(0, 0, 10, 10).outer, {against_the_west}});
+  EXPECT_EQ(touching.were, Rings::Touch);
+  EXPECT_NEAR(area_m2(touching.polygons), 92.0, 1e-6);
+  EXPECT_EQ(repaired({box(0, 0, 10, 10).outer, {through_the_west}}).were, Rings::Cross);
+  // Two lobes of 100 and 50 m².
+  const auto lobes = repaired({{{0, 0}, {30, 30}, {30, 40}, {10, 0}}, {}});
+  EXPECT_EQ(lobes.were, Rings::Cross);
+  EXPECT_NEAR(area_m2(lobes.polygons), 150.0, 1e-6);
+}
+
+TEST(PolygonOverlay, WhatCannotBeDoneIsNoEmptyPolygon) {
+  const Polygons whole{box(0, 0, 10, 10)};
+  Polygons nowhere{box(5, 5, 15, 15)};
+  nowhere[0].outer[2].x = std::nan("");
+  EXPECT_THROW(static_cast<void>(united(whole, nowhere)), Error);
+  EXPECT_THROW(static_cast<void>(subtracted(whole, nowhere)), Error);
+  EXPECT_THROW(static_cast<void>(intersected(whole, nowhere)), Error);
+  EXPECT_FALSE(simplified(nowhere, 0.05).empty());
 }
 
 TEST(PolygonOverlay, LineHasNoArea) {

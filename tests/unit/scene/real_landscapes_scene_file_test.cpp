@@ -1,8 +1,10 @@
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdlib>
 #include <filesystem>
 #include <gtest/gtest.h>
+#include <vector>
 
 #include "unit/geo/read_features.h"
 #include "unit/scene/made_up_place.h"
@@ -41,6 +43,32 @@ double roof_area_m2(const Scene& scene) {
     if (a.z > 0.0F && b.z > 0.0F && c.z > 0.0F) sum += static_cast<double>(length(cross(b - a, c - a))) / 2.0;
   }
   return sum;
+}
+
+/// Buildings whose roof is not as large as the ground between their walls.
+std::size_t open_buildings(const Scene& scene) {
+  const Mesh& mesh = scene.buildings.mesh;
+  std::vector<double> missing_m2(scene.buildings.items.size()), plan_m2(missing_m2.size());
+  std::vector<std::size_t> building(mesh.vertices.size());
+  for (std::size_t i = 0; i < missing_m2.size(); ++i) {
+    const Building& item = scene.buildings.items[i];
+    std::fill_n(building.begin() + item.first_vertex, item.vertex_count, i);
+  }
+  for (const auto& t : mesh.triangles) {
+    const std::size_t i = building[t[0]];
+    const Vec3d from = mesh.vertices[scene.buildings.items[i].first_vertex].to<double>();
+    const Vec3d a = mesh.vertices[t[0]].to<double>() - from, b = mesh.vertices[t[1]].to<double>() - from,
+                c = mesh.vertices[t[2]].to<double>() - from;
+    if (a.z == 0.0 && b.z == 0.0) {
+      plan_m2[i] += (a.x * b.y - a.y * b.x) / 2.0;
+    } else if (a.z > 0.0 && b.z > 0.0 && c.z > 0.0) {
+      missing_m2[i] -= cross(b - a, c - a).z / 2.0;
+    }
+  }
+  std::size_t open = 0;
+  for (std::size_t i = 0; i < missing_m2.size(); ++i)
+    open += std::abs(plan_m2[i] + missing_m2[i]) > 0.001 * plan_m2[i] + 0.01 ? 1 : 0;
+  return open;
 }
 
 class Bilbao : public ::testing::Test {
@@ -83,6 +111,10 @@ TEST_F(Bilbao, RoofsCoverTheUnionOfTheFootprints) {
   const double sum_m2 = geo::area_m2(all), union_m2 = geo::area_m2(geo::united_all(all));
   EXPECT_GT(sum_m2, 1.004 * union_m2);
   EXPECT_NEAR(roof_area_m2(*scene_) / union_m2, 1.0, 0.001);
+}
+
+TEST_F(Bilbao, EveryBuildingHasItsRoof) {
+  EXPECT_EQ(open_buildings(*scene_), 0U);
 }
 
 TEST_F(Bilbao, TerrainIsSmoothedWithinHalfAMetreOfItsSource) {
@@ -136,6 +168,7 @@ TEST(SanFrancisco, DowntownStandsWithItsTowers) {
   EXPECT_NEAR(scene.extent.width_m(), 1945.0, 25.0);
   EXPECT_NEAR(scene.extent.height_m(), 2020.0, 25.0);
   EXPECT_GT(scene.buildings.items.size(), 2000U);
+  EXPECT_EQ(open_buildings(scene), 0U);
   // 433 of the 2,096 OpenStreetMap buildings carry neither height nor levels.
   EXPECT_NEAR(static_cast<double>(remark_count(scene, "buildings without a height")), 433.0, 15.0);
   // The stations beneath Market Street.
