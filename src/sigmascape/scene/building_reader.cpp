@@ -1,6 +1,10 @@
 #include "sigmascape/scene/building_reader.h"
 
+#include <algorithm>
+#include <array>
 #include <fmt/format.h>
+#include <set>
+#include <string_view>
 #include <utility>
 
 #include "sigmascape/base/interruption.h"
@@ -49,6 +53,23 @@ bool is_underground(const geo::Feature& feature, const BuildingSource& source) {
   return (goes_down || has_cellars_alone) && !stated_height_m(feature, source);
 }
 
+/// Whether OpenStreetMap says that a building is something to walk or drive beneath.
+bool is_open_beneath(const geo::Feature& feature) {
+  static constexpr std::array<std::string_view, 4> open{"roof", "canopy", "carport", "bridge"};
+  const auto kind = feature.attribute("building");
+  return kind && std::ranges::find(open, *kind) != open.end();
+}
+
+/// Of what has air beneath it: every building is raised from the ground.
+void tell_of_air_beneath(const geo::Feature& feature, FlawTally& tally) {
+  if (counts_some(feature, "min_height") || counts_some(feature, "building:min_level")) {
+    tally.note("buildings that begin above the ground by their min_height or building:min_level, raised from it",
+               feature.id);
+  } else if (is_open_beneath(feature)) {
+    tally.note("roofs and bridges (building=roof, canopy, carport, bridge), raised as solid blocks", feature.id);
+  }
+}
+
 /// Height of a building, or nothing when it is to be left out.
 std::optional<double> height_m(const geo::Feature& feature, const BuildingSource& source, FlawTally& tally) {
   if (!source.height_attribute && !source.levels_attribute) return source.default_height_m;
@@ -66,13 +87,18 @@ std::optional<double> height_m(const geo::Feature& feature, const BuildingSource
 /// The valid parts of a feature's polygons.
 geo::Polygons mended_shape(const geo::Feature& feature, const BuildingSource& source, FlawTally& tally) {
   geo::Polygons shape;
-  bool all_valid = true;
+  std::set<geo::Rings> rings;
   for (const geo::Polygon& polygon : feature.polygons) {
-    auto [parts, was_valid] = geo::repaired(polygon);
-    all_valid = all_valid && was_valid;
+    Interruption::heed();
+    auto [parts, were] = geo::repaired(polygon);
+    rings.insert(were);
     shape.insert(shape.end(), parts.begin(), parts.end());
   }
-  if (!all_valid) tally.flaw("self-crossing footprints, repaired", feature.id);
+  if (rings.contains(geo::Rings::Cross)) {
+    tally.flaw("self-crossing footprints, repaired", feature.id);
+  } else if (rings.contains(geo::Rings::Touch)) {
+    tally.note("footprints whose rings touch along more than a point, parted there", feature.id);
+  }
   // Parts of one feature may overlap one another; the valid whole is their union.
   if (feature.polygons.size() > 1) shape = geo::united_all(shape);
   return geo::simplified(shape, source.simplify_m);
@@ -110,6 +136,7 @@ std::size_t collect_footprints(Scene& scene, const BuildingSource& source, std::
       return;
     }
     if (const auto height = height_m(feature, source, tally)) {
+      tell_of_air_beneath(feature, tally);
       footprints.push_back({std::move(shape), *height, wall, roof, source_number, std::move(feature.id), {}});
     }
   });
@@ -120,6 +147,28 @@ std::size_t collect_footprints(Scene& scene, const BuildingSource& source, std::
   }
   settle_census(census, source.vector, source.limit, scene.remarks);
   return inside;
+}
+
+/// Whether the ground rises above a level at a corner of an outline, courtyards included.
+bool lies_beneath_ground(const geo::Polygon& outline, double level_m, const terrain::HeightField& terrain) {
+  const auto rises_above = [&](Vec2d corner) { return terrain.height_at(corner) > level_m; };
+  return std::ranges::any_of(outline.outer, rises_above) ||
+         std::ranges::any_of(outline.holes,
+                             [&](const geo::Ring& hole) { return std::ranges::any_of(hole, rises_above); });
+}
+
+/// Raises a building, piece by piece.
+void raise(Scene& scene, const Footprint& footprint, FlawTally& tally) {
+  bool is_buried = false;
+  for (std::size_t piece = 0; piece < footprint.shape.size(); ++piece) {
+    Interruption::heed();
+    const geo::Polygon& outline = footprint.shape[piece];
+    const double footing_m = footing_of(whole_of(piece, footprint), scene.terrain);
+    append_building(scene.buildings, outline, footprint.height_m, footing_m, footprint.wall, footprint.roof);
+    is_buried = is_buried || lies_beneath_ground(outline, footing_m + footprint.height_m, scene.terrain);
+  }
+  tally.note("buildings whose roof lies beneath the ground at a corner, since their height counts from the lowest",
+             footprint.id, is_buried ? 1 : 0);
 }
 
 }  // namespace
@@ -155,13 +204,8 @@ void add_buildings(Scene& scene, const std::vector<BuildingSource>& sources) {
   std::vector<Footprint> footprints;
   for (std::size_t i = 0; i < sources.size(); ++i)
     inside.push_back(collect_footprints(scene, sources[i], i, tallies[i], footprints));
-  for (const Footprint& footprint : without_overlaps(std::move(footprints), tallies)) {
-    Interruption::heed();
-    for (const geo::Polygon& outline : footprint.shape) {
-      append_building(scene.buildings, outline, footprint.height_m,
-                      footing_of(whole_of(outline, footprint), scene.terrain), footprint.wall, footprint.roof);
-    }
-  }
+  for (const Footprint& footprint : without_overlaps(std::move(footprints), tallies))
+    raise(scene, footprint, tallies[footprint.source]);
   for (std::size_t i = 0; i < sources.size(); ++i) {
     tallies[i].settle(sources[i].vector.file.string(), inside[i], sources[i].limit, scene.remarks);
   }

@@ -18,7 +18,8 @@ struct Footprint {
   MaterialIndex wall = 0, roof = 0;
   std::size_t source = 0;  ///< which of the scene's building files it comes from
   std::string id;
-  geo::Polygons uncut{};  ///< the shape before taller ones cut it; empty where none did
+  geo::Polygons uncut{};              ///< the shape before taller ones cut it; empty where none did
+  std::vector<std::size_t> cut_of{};  ///< of each polygon of the shape, which of `uncut` it is a piece of, if cut
 };
 
 /// Makes footprints share no ground, because a wall inside another building would make a dihedral that is not there. Of
@@ -27,7 +28,8 @@ struct Footprint {
 /// its source's tally.
 [[nodiscard]] std::vector<Footprint> without_overlaps(std::vector<Footprint> footprints, std::span<FlawTally> tallies);
 
-/// What a polygon of a footprint's shape was before it was cut: all pieces of it are one building, under one roof.
-[[nodiscard]] const geo::Polygon& whole_of(const geo::Polygon& piece, const Footprint& footprint);
+/// What a polygon of a footprint's shape, by its number, was before it was cut: all pieces of it are one building,
+/// under one roof.
+[[nodiscard]] const geo::Polygon& whole_of(std::size_t piece, const Footprint& footprint);
 
 }  // namespace sigmascape::scene

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <gtest/gtest.h>
 #include <vector>
 
@@ -73,11 +74,26 @@ TEST(WithoutOverlaps, PiecesKnowTheWholeThatTheyWereCutFrom) {
   const auto result = without_overlaps({blocks, footprint(box(10, -5, 20, 15), 9.0)}, tally);
   ASSERT_EQ(result.size(), 2U);
   ASSERT_EQ(result[0].shape.size(), 3U);
-  for (const geo::Polygon& piece : result[0].shape) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    const geo::Polygon& piece = result[0].shape[i];
     EXPECT_NEAR(geo::area_m2(piece), 100.0, 1e-6);
-    EXPECT_NEAR(geo::area_m2(whole_of(piece, result[0])), piece.outer.front().x < 50.0 ? 300.0 : 100.0, 1e-6);
+    EXPECT_NEAR(geo::area_m2(whole_of(i, result[0])), piece.outer.front().x < 50.0 ? 300.0 : 100.0, 1e-6);
   }
-  EXPECT_EQ(&whole_of(result[1].shape[0], result[1]), &result[1].shape[0]) << "nothing cut it";
+  EXPECT_EQ(&whole_of(0, result[1]), &result[1].shape[0]) << "nothing cut it";
+}
+
+// A row of equal houses, each across the next.
+TEST(WithoutOverlaps, ManyThatBelongTogetherBecomeOne) {
+  std::array<FlawTally, 1> tally;
+  std::vector<Footprint> row;
+  for (int i = 0; i < 40; ++i) row.push_back(footprint(box(8.0 * i, 0, 8.0 * i + 10.0, 10), 8.0));
+  const auto result = without_overlaps(row, tally);
+  ASSERT_EQ(result.size(), 1U);
+  EXPECT_EQ(result[0].shape.size(), 1U);
+  EXPECT_NEAR(total_area_m2(result), (39 * 8.0 + 10.0) * 10.0, 1e-6);
+  std::vector<Remark> remarks;
+  tally[0].settle("file", row.size(), {.max_share = 1.0}, remarks);
+  EXPECT_EQ(remarks.at(0).count, 39U);
 }
 
 TEST(WithoutOverlaps, NeighboursWallToWallStayTwo) {
@@ -108,6 +124,14 @@ TEST(BuildingExtrusion, WallsAndRoofFaceOutwardAndCourtyardsStayOpen) {
   EXPECT_EQ(buildings.mesh.vertices.size(), 16U);
   EXPECT_EQ(buildings.items.at(0).footing_m, 3.0F);
   EXPECT_EQ(std::ranges::count(buildings.mesh.materials, MaterialIndex{1}), 16);
+}
+
+TEST(BuildingExtrusion, ACourtyardAtTheOutlineLeavesTheRoofWhole) {
+  geo::Polygon yard = box(0, 0, 10, 10);
+  yard.holes = {{{5, 0}, {3, 4}, {7, 4}}};
+  Buildings buildings;
+  append_building(buildings, yard, 6.0, 3.0, 1, 2);
+  EXPECT_NEAR(enclosed_volume_m3(buildings.mesh), (100.0 - 8.0) * 6.0, 1e-3);
 }
 
 TEST(BuildingExtrusion, TheFootingIsTheLowestGroundAlongTheOutline) {
