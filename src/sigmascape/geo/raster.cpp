@@ -16,6 +16,7 @@
 
 #include "sigmascape/base/error.h"
 #include "sigmascape/base/interruption.h"
+#include "sigmascape/base/small_letters.h"
 #include "sigmascape/geo/axis_units.h"
 #include "sigmascape/geo/heeding_progress.h"
 #include "sigmascape/geo/is_absent.h"
@@ -270,6 +271,19 @@ void for_each_point(const LatticeBlock& block, const PixelNet& net, const Covera
   }
 }
 
+/// Throws Error when a band is a colour of a picture, whose numbers would be taken for classes.
+void require_classes(GDALRasterBand& band, const std::string& name) {
+  const GDALColorInterp colour = band.GetColorInterpretation();
+  if (colour != GCI_RedBand && colour != GCI_GreenBand && colour != GCI_BlueBand) return;
+  throw Error(
+      fmt::format("{}, band {}", name, band.GetBand()),
+      fmt::format("is the {} of a picture, not a raster of classes",
+                  in_small_letters(GDALGetColorInterpretationName(colour))),
+      fmt::format("give the raster of classes that the picture was made from; if the band does hold classes, say "
+                  "so in the file with gdal_edit.py -colorinterp_{} gray",
+                  band.GetBand()));
+}
+
 /// Throws Error when a CRS of degrees is stated for numbers that cannot be latitudes.
 void require_latitudes(const std::array<double, 6>& crs_from_pixel, int columns, int rows, const std::string& crs,
                        const std::string& where) {
@@ -417,6 +431,7 @@ Array2D<float> Raster::heights_on(const Lattice& lattice, const LocalFrame& fram
 }
 
 Array2D<std::int32_t> Raster::classes_on(const Lattice& lattice, const LocalFrame& frame) const {
+  require_classes(*source_->band, source_->name);
   const PixelNet net(lattice, source_->transform_to(frame),
                      [this](std::span<Vec2d> knots) { source_->to_pixels(knots); });
   const Coverage coverage = source_->coverage();

@@ -71,6 +71,7 @@ class Raster {
   [[nodiscard]] Array2D<float> heights_on(const Lattice& lattice, const LocalFrame& frame,
                                           PlausibleHeights plausible = {}) const;
   /// Class of the nearest cell, [column, row] of the lattice; `no_class` outside the raster and where it holds no data.
+  /// Throws Error for a band that is the red, green or blue of a picture.
   [[nodiscard]] Array2D<std::int32_t> classes_on(const Lattice& lattice, const LocalFrame& frame) const;
 
  private:

@@ -123,6 +123,34 @@ std::map<std::int32_t, MaterialIndex> materials_of(const CellsOfClass& cells, co
   return materials;
 }
 
+/// More of the scene than this without land cover is no strip along its edge any more.
+constexpr double notable_share_beyond = 0.03;
+
+/// The share of cells whose middles lie outside the box about a raster.
+double share_beyond(const radar::GroundGrid& grid, const geo::Extent& raster) {
+  std::size_t columns = 0, rows = 0;
+  for (std::size_t column = 0; column < grid.columns; ++column) {
+    const double x = grid.centre_of(column, 0).x;
+    columns += x >= raster.west_m && x <= raster.east_m ? 1 : 0;
+  }
+  for (std::size_t row = 0; row < grid.rows; ++row) {
+    const double y = grid.centre_of(0, row).y;
+    rows += y >= raster.south_m && y <= raster.north_m ? 1 : 0;
+  }
+  return 1.0 - static_cast<double>(columns * rows) / static_cast<double>(grid.columns * grid.rows);
+}
+
+/// The stated size of cells, or one of the data's own that the scene has room for.
+double fitting_cell_m(const LandCoverSource& source, double own_cell_m, const radar::Rectangle& extent) {
+  const double shorter_m = std::min(extent.width_m(), extent.height_m());
+  if (!source.cell_m) return std::min(own_cell_m, shorter_m);
+  if (*source.cell_m <= shorter_m) return *source.cell_m;
+  throw Error(
+      source.where + ".cell_m",
+      fmt::format("is {:g} m in a scene of {:.0f} × {:.0f} m", *source.cell_m, extent.width_m(), extent.height_m()),
+      "choose cells that the scene has room for");
+}
+
 void lay(const ClassMap& classes, const std::map<std::int32_t, MaterialIndex>& materials,
          Array2D<MaterialIndex>& ground) {
   for (std::size_t i = 0; i < classes.size(); ++i) {
@@ -144,6 +172,7 @@ WaterMask water_in(const ClassMap& classes, const std::vector<std::int32_t>& wat
 LandCoverSource read_land_cover_source(const TomlSection& section, const MaterialTable& materials,
                                        ExplicitObjects objects, const FlawLimit& limit) {
   LandCoverSource source;
+  source.where = section.where();
   if (const auto file = section.optional_file("file")) {
     source.raster = geo::RasterBand{*file, static_cast<int>(section.whole_number_or("band", {1, 10000, ""}, 1)),
                                     section.text_or("crs", "")};
@@ -191,7 +220,7 @@ WaterMask add_land_cover(Scene& scene, const LandCoverSource& source) {
   std::optional<geo::Raster> raster;
   if (source.raster) raster.emplace(*source.raster);
   const double own_cell_m = raster ? raster->cell_m(scene.frame, scene.extent.centre()) : scene.terrain.spacing_m;
-  const radar::GroundGrid grid = material_grid(scene.extent, source.cell_m.value_or(own_cell_m), name);
+  const radar::GroundGrid grid = material_grid(scene.extent, fitting_cell_m(source, own_cell_m, scene.extent), name);
   scene.ground.grid = grid;
   scene.ground.material = Array2D<MaterialIndex>(grid.columns, grid.rows, scene.material_index(source.nodata));
   if (!raster) return {grid.columns, grid.rows, 0};
@@ -200,6 +229,13 @@ WaterMask add_land_cover(Scene& scene, const LandCoverSource& source) {
   const CellsOfClass cells = counted(classes, name);
   FlawTally tally;
   lay(classes, materials_of(cells, source, scene, tally), scene.ground.material);
+  const double beyond = share_beyond(grid, raster->outline_in(scene.frame).extent_around());
+  if (beyond > notable_share_beyond) {
+    tally.mistake(
+        fmt::format("land cover that does not reach over {:.2g} % of the scene, which has the nodata material",
+                    100.0 * beyond),
+        source.nodata.name);
+  }
   tally.settle(name, classes.size(), source.limit, scene.remarks);
   return water_in(classes, source.water_classes);
 }

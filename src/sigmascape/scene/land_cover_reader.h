@@ -4,6 +4,7 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <string>
 #include <vector>
 
 #include "sigmascape/base/toml_reader.h"
@@ -22,6 +23,7 @@ struct ExplicitObjects {
 
 /// Where the ground's materials come from.
 struct LandCoverSource {
+  std::string where{};                    ///< the section, as errors name it
   std::optional<geo::RasterBand> raster;  ///< without one, all ground is of the nodata material
   std::optional<double> cell_m;           ///< by default the raster's own cell, or the terrain's spacing
   std::map<std::int32_t, scatter::Material> materials;
@@ -42,7 +44,8 @@ struct LandCoverSource {
 using WaterMask = Array2D<std::uint8_t>;
 
 /// Fills the scene's material map over its extent, which its terrain must have given it, and returns where the water
-/// is. Throws Error when the raster and the extent do not overlap.
+/// is. Throws Error when the raster and the extent do not overlap, its band is a colour of a picture, or the stated
+/// cells are larger than the extent.
 [[nodiscard]] WaterMask add_land_cover(Scene& scene, const LandCoverSource& source);
 
 /// Whether a point stands in water.
