@@ -15,6 +15,8 @@
 #include <sstream>
 #include <toml++/toml.h>
 
+#include "sigmascape/base/virtual_path.h"
+
 namespace sigmascape {
 namespace {
 
@@ -272,7 +274,7 @@ std::optional<std::filesystem::path> TomlSection::optional_file(std::string_view
   const auto written = optional_text(key);
   if (!written) return std::nullopt;
   auto path = expanded_path(*written, table_->file.parent_path(), where(key));
-  if (!std::filesystem::is_regular_file(path) && !std::filesystem::is_directory(path)) {
+  if (!is_virtual(path) && !std::filesystem::is_regular_file(path) && !std::filesystem::is_directory(path)) {
     throw fault(key, fmt::format("the file {} does not exist", path.string()),
                 "correct the path, which is relative to the TOML file");
   }
@@ -355,6 +357,7 @@ std::filesystem::path expanded_path(std::string_view text, const std::filesystem
     text.remove_prefix(end + 1);
   }
   const std::filesystem::path path(expanded);
+  if (is_virtual(path)) return path;  // where a second slash says that what follows is absolute
   return (path.is_absolute() ? path : folder / path).lexically_normal();
 }
 

@@ -62,7 +62,7 @@ class TomlSection {
   /// A list of pairs of finite numbers, empty when the key is absent.
   [[nodiscard]] std::vector<std::array<double, 2>> pairs(std::string_view key) const;
 
-  /// An existing file; see `expanded_path`.
+  /// An existing file, or one of a virtual path (base/virtual_path.h); see `expanded_path`.
   [[nodiscard]] std::filesystem::path file(std::string_view key) const;
   [[nodiscard]] std::optional<std::filesystem::path> optional_file(std::string_view key) const;
 

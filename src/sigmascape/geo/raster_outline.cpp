@@ -7,6 +7,8 @@
 #include <limits>
 #include <utility>
 
+#include "sigmascape/geo/polygon.h"
+
 namespace sigmascape::geo {
 namespace {
 
@@ -196,6 +198,20 @@ double RasterOutline::spacing_m(const Extent& within) const {
     }
   }
   return widest_m;
+}
+
+double RasterOutline::enclosed_m2() const {
+  if (empty()) return 0.0;
+  Ring ring;
+  const auto go_along = [&ring](std::vector<Vec2d> edge, bool is_reversed) {
+    if (is_reversed) std::ranges::reverse(edge);
+    ring.insert(ring.end(), edge.begin(), edge.end());
+  };
+  go_along(south, by_x(south.back(), south.front()));
+  go_along(east, by_y(east.back(), east.front()));
+  go_along(north, by_x(north.front(), north.back()));
+  go_along(west, by_y(west.front(), west.back()));
+  return std::abs(signed_area_m2(ring));
 }
 
 Extent RasterOutline::extent_around() const {

@@ -31,6 +31,8 @@ struct RasterOutline {
   /// The farthest that two neighbouring points of the edges lie apart, of those in a rectangle: so far a corner of one
   /// without such points may reach out between two.
   [[nodiscard]] double spacing_m(const Extent& within) const;
+  /// What it encloses; 0 of an empty outline.
+  [[nodiscard]] double enclosed_m2() const;
   /// The smallest that holds all of it; the whole plane around an empty outline.
   [[nodiscard]] Extent extent_around() const;
 };

@@ -153,6 +153,9 @@ struct FilledGround {
   geo::Extent around_raster;
 };
 
+/// More of the raster of heights than this is no strip along its edges any more.
+constexpr double notable_share_left_out = 0.03;
+
 FilledGround add_terrain(Scene& scene, const SceneDescription& described) {
   const auto& [source, water, limit] = described.terrain;
   scene.frame = frame_of(described.place, source.raster);
@@ -164,6 +167,12 @@ FilledGround add_terrain(Scene& scene, const SceneDescription& described) {
         "terrain without a unit of heights on a map in feet, taken to be in metres "
         "([terrain] unit = \"ft\" or \"us-ft\" says otherwise)",
         which);
+  }
+  if (read.left_out_share > notable_share_left_out) {
+    tally.note(fmt::format("raster of heights that lies aslant, of which the scene, without an extent the largest "
+                           "upright rectangle within, leaves out {:.2g} %",
+                           100.0 * read.left_out_share),
+               which);
   }
   tally.flaw("terrain nodes without data or with implausible heights, interpolated", which, read.filled_nodes);
   tally.settle(source.raster.file.string(), read.field.height_m.size(), limit, scene.remarks);

@@ -159,12 +159,14 @@ ReadTerrain read_terrain(const TerrainSource& source, const geo::LocalFrame& fra
   const std::string name = source.raster.file.string();
   const geo::Raster raster(source.raster);
   const geo::RasterOutline outline = raster.outline_in(frame);
+  ReadTerrain result;
   if (!wanted) {
     const geo::Extent inside = outline.extent_inside();
     if (inside.empty()) {
       throw Error(name, "reaches too far for a scene of all of it", "state the extent of the scene");
     }
     wanted = radar::Rectangle{inside.west_m, inside.south_m, inside.east_m, inside.north_m};
+    result.left_out_share = std::max(0.0, 1.0 - wanted->width_m() * wanted->height_m() / outline.enclosed_m2());
   }
   const geo::Extent available = outline.extent_around();
   const bool overlap = wanted->west_m < available.east_m && wanted->east_m > available.west_m &&
@@ -186,7 +188,6 @@ ReadTerrain read_terrain(const TerrainSource& source, const geo::LocalFrame& fra
                             wanted->width_m(), wanted->height_m()),
                 "choose a smaller spacing_m or a larger extent");
   }
-  ReadTerrain result;
   result.around_raster = {available.west_m - cell_m, available.south_m - cell_m, available.east_m + cell_m,
                           available.north_m + cell_m};
   result.unit_is_guess = raster.height_unit().is_guess;

@@ -32,11 +32,13 @@ struct ReadTerrain {
   NodeMask filled;               ///< which those are
   geo::Extent around_raster;     ///< the smallest that holds the raster, and a cell more on every side
   bool unit_is_guess = false;    ///< as geo::HeightUnit has it
+  /// Of the raster, what lies outside the rectangle that was chosen; 0 where one was asked for.
+  double left_out_share = 0.0;
 };
 
-/// Reads heights over a rectangle of the frame, or, without one, over all of the raster. Throws Error when the
-/// rectangle and the raster do not overlap, more than the stated share of nodes has no data, or reading so many heights
-/// takes more memory than this machine has; of those nothing is allocated.
+/// Reads heights over a rectangle of the frame, or, without one, over the largest that lies within the raster. Throws
+/// Error when the rectangle and the raster do not overlap, more than the stated share of nodes has no data, or reading
+/// so many heights takes more memory than this machine has; of those nothing is allocated.
 [[nodiscard]] ReadTerrain read_terrain(const TerrainSource& source, const geo::LocalFrame& frame,
                                        std::optional<radar::Rectangle> wanted);
 

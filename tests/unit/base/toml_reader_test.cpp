@@ -177,6 +177,11 @@ TEST_F(TomlReader, PathsAreRelativeToTheTomlFile) {
   EXPECT_EQ(section("file = \"data.csv\"").file("file"), data);
 }
 
+TEST_F(TomlReader, WhatOnlyGdalFindsIsLeftToIt) {
+  const TomlSection read = section("inner = \"/vsizip//data/heights.zip/heights.tif\"\n");
+  EXPECT_EQ(read.file("inner"), "/vsizip//data/heights.zip/heights.tif") << "with its two slashes";
+}
+
 TEST(ExpandedPath, FillsInEnvironmentVariables) {
   setenv("SIGMASCAPE_TEST_FOLDER", "/data", 1);
   unsetenv("SIGMASCAPE_TEST_UNSET");

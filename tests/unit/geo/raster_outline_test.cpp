@@ -38,6 +38,7 @@ TEST(RasterOutline, SquareHoweverItIsTurned) {
     const RasterOutline outline = turned_square(angle_rad);
     const Extent inside = outline.extent_inside(), around = outline.extent_around();
     const double side_m = 2.0 * half_m / wider;
+    EXPECT_NEAR(outline.enclosed_m2(), 4.0 * half_m * half_m, 1e-3) << deg;
     EXPECT_NEAR((inside.east_m - inside.west_m) * (inside.north_m - inside.south_m), side_m * side_m,
                 0.02 * side_m * side_m)
         << deg;
