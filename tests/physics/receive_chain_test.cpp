@@ -9,6 +9,7 @@
 #include "physics/level_scene.h"
 #include "validation/validation_record.h"
 
+#include "sigmascape/base/error.h"
 #include "sigmascape/base/units.h"
 #include "sigmascape/radar/radar_equation.h"
 #include "sigmascape/radar/range_ambiguity.h"
@@ -83,6 +84,12 @@ TEST(ReceivedPower, OfAPointIsTheRadarEquation) {
               0.1, "dBW", "radar equation");
   expect_case("its signal-to-noise ratio", db_from_linear(radar::signal_to_noise(radar, 10.0, 20e3)),
               db_from_linear(brightest(received.signal_w) / received.noise_w), 0.1, "dB", "radar equation");
+}
+
+TEST(ReceivedPower, OfTheSumOfPolarizationsNoReceiverHas) {
+  const radar::Radar radar = plain_radar();
+  const auto image = image_of(radar, bins_about(radar, 20e3), {point(20e3, 10.0)});
+  EXPECT_THROW((void)received_power(radar, image, radar::Polarization::Sum), Error);
 }
 
 /// The compressed pulse of a Hamming window over 2BΔr/c, the spectrum 0.54 + 0.46 cos transformed, relative to its

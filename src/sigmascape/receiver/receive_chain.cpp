@@ -3,6 +3,7 @@
 #include <cmath>
 #include <vector>
 
+#include "sigmascape/base/error.h"
 #include "sigmascape/base/hash.h"
 #include "sigmascape/base/parallel.h"
 #include "sigmascape/base/units.h"
@@ -94,13 +95,13 @@ class Column {
 std::vector<double> watts_per_m2(const radar::Radar& radar, const radar::RangeAzimuthGrid& grid) {
   const double bins_of_a_point =
       range_response(radar, grid.range_step_m).peak_bins * azimuth_response(radar, grid.azimuth_step_rad).peak_bins;
+  const double compression_gain = radar::compression_gain(radar);
   std::vector<double> factors(grid.ranges);
   for (std::size_t row = 0; row < grid.ranges; ++row) {
     const double range_m = middle_range_m(grid, row);
     const double heard =
         radar::uneclipsed_part(range_m, radar.waveform.pulse_length_s, radar.waveform.pulse_repetition_hz);
-    factors[row] =
-        radar::received_power_w(radar, 1.0, range_m) * radar::compression_gain(radar) * bins_of_a_point * heard * heard;
+    factors[row] = radar::received_power_w(radar, 1.0, range_m) * compression_gain * bins_of_a_point * heard * heard;
   }
   return factors;
 }
@@ -109,6 +110,10 @@ std::vector<double> watts_per_m2(const radar::Radar& radar, const radar::RangeAz
 
 ReceivedPower received_power(const radar::Radar& radar, const radar::RangeAzimuthImage& image,
                              radar::Polarization polarization) {
+  if (polarization == radar::Polarization::Sum) {
+    throw Error("received power", "cannot be that of the sum of polarizations, which no receiver has",
+                "choose VV, HH, HV or VH");
+  }
   const radar::RangeAzimuthGrid& grid = image.grid;
   const std::vector<double> factors = watts_per_m2(radar, grid);
   ReceivedPower received{grid, Array2D<float>(grid.azimuths, grid.ranges), radar::noise_power_w(radar)};

@@ -24,7 +24,8 @@ struct ReceivedPower {
 ///
 /// A lone point of cross-section σ in the middle of a bin gives that bin the power P_t G² λ² σ / ((4π)³ r⁴ L) times the
 /// compression gain. Ranges at which the transmitter deafens the receiver are darkened. What the signal falls short of
-/// the noise, `signal_w / noise_w`, is the signal-to-noise ratio of one pulse.
+/// the noise, `signal_w / noise_w`, is the signal-to-noise ratio of one pulse. Throws Error for the sum of
+/// polarizations, which no receiver has.
 [[nodiscard]] ReceivedPower received_power(const radar::Radar& radar, const radar::RangeAzimuthImage& image,
                                            radar::Polarization polarization);
 

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "sigmascape/base/vector_targets.h"
 #include "sigmascape/receiver/bin_response.h"
 
 namespace sigmascape::receiver {
@@ -16,6 +17,14 @@ using Bins = Array2D<radar::Channels>;
 /// Images of a few targets are dark nearly everywhere.
 bool is_dark(std::span<const radar::Channels> row) {
   return std::ranges::all_of(row, [](const radar::Channels& bin) { return bin == radar::Channels{}; });
+}
+
+/// Adds as many bins from elsewhere, each times the weight.
+SIGMASCAPE_VECTOR_TARGETS [[gnu::flatten]] void add_weighted(const radar::Channels* __restrict from, float weight,
+                                                             std::span<radar::Channels> to) {
+  radar::Channels* const sums = to.data();
+  SIGMASCAPE_INDEPENDENT_TURNS
+  for (std::size_t i = 0; i < to.size(); ++i) sums[i] += from[i] * weight;
 }
 
 /// Every bin spreads over its neighbours in its row. What leaves the row is lost, as it is to a receiver's gate, or
@@ -36,10 +45,7 @@ void spread_along_rows(Bins& bins, const std::vector<float>& weights, bool goes_
       from[reach + columns + beyond] = to[beyond % columns];
     }
     std::ranges::fill(to, radar::Channels{});
-    for (std::size_t k = 0; k <= 2 * reach; ++k) {
-      for (std::size_t column = 0; column < columns; ++column)
-        to[column] += from[column + k] * weights[whole - reach + k];
-    }
+    for (std::size_t k = 0; k <= 2 * reach; ++k) add_weighted(from.data() + k, weights[whole - reach + k], to);
   }
 }
 
@@ -59,7 +65,7 @@ void spread_along_columns(Bins& bins, const std::vector<float>& weights) {
       if (dark[static_cast<std::size_t>(row + k)] != 0) continue;
       const float weight = weights[static_cast<std::size_t>(k + reach)];
       const auto from = k <= 0 ? kept_row(row + k) : bins.row(static_cast<std::size_t>(row + k));
-      for (std::size_t column = 0; column < to.size(); ++column) to[column] += from[column] * weight;
+      add_weighted(from.data(), weight, to);
     }
   }
 }
