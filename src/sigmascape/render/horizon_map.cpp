@@ -7,6 +7,7 @@
 
 #include "sigmascape/base/vector_targets.h"
 #include "sigmascape/radar/look.h"
+#include "sigmascape/radar/rectangle_parts.h"
 #include "sigmascape/render/crown_depth.h"
 #include "sigmascape/render/lesser_greater.h"
 #include "sigmascape/terrain/obstacle_sweep.h"
@@ -242,14 +243,19 @@ class HorizonMap::Walk {
         occluders_(occluders),
         direction_(radar::horizontal_direction(grid.first_azimuth_rad + across * grid.azimuth_step_rad)) {}
 
-  /// Calls `step(number, i)` outwards for `count` steps, of which `steps()` then holds some, this one at `i`.
-  template <typename Step>
+  /// Calls `step(number, i)` outwards for `count` steps, of which `steps()` then holds some, this one at `i`. Many at
+  /// once that lie off the ground hide nothing and are not looked up: of those `off_ground(first, end)` is called.
+  template <typename Step, typename OffGround>
   void over(const terrain::TerrainView& ground, const ObstacleMosaic* obstacles, double first_m, double step_m,
-            std::size_t count, Step step) {
+            std::size_t count, Step step, OffGround off_ground) {
     for (std::size_t first = 0; first < count; first += together) {
       steps_.count = std::min(together, count - first);
       const double distance_m = first_m + static_cast<double>(first) * step_m;
       const Vec2d from = Vec2d{radar_.x, radar_.y} + direction_ * distance_m;
+      if (lies_off(ground, from, static_cast<double>(steps_.count) * step_m)) {
+        off_ground(first, first + steps_.count);
+        continue;
+      }
       steps_.first_m = static_cast<float>(distance_m);
       steps_.step_m = static_cast<float>(step_m);
       const Vec2d nodes = ground.nodes_to(from);
@@ -270,11 +276,26 @@ class HorizonMap::Walk {
       for (std::size_t i = 0; i < steps_.count; ++i) step(first + i, i);
     }
   }
+  /// The same where steps off the ground are nothing to anybody.
+  template <typename Step>
+  void over(const terrain::TerrainView& ground, const ObstacleMosaic* obstacles, double first_m, double step_m,
+            std::size_t count, Step step) {
+    over(ground, obstacles, first_m, step_m, count, step, [](std::size_t, std::size_t) {});
+  }
 
   [[nodiscard]] const Steps& steps() const { return steps_; }
   [[nodiscard]] Vec2d direction() const { return direction_; }
 
  private:
+  /// Whether all from a place to one so far along the direction is off the ground, wherever rounding puts the steps.
+  [[nodiscard]] bool lies_off(const terrain::TerrainView& ground, Vec2d from, double length_m) const {
+    constexpr double rounding = 1e-6;  // of steps that are counted in single precision, over all of them
+    const radar::Rectangle near_ground = radar::widened(ground.extent(), ground.spacing_m + rounding * length_m);
+    const Vec2d to = from + direction_ * length_m;
+    return std::max(from.x, to.x) < near_ground.west_m || std::min(from.x, to.x) > near_ground.east_m ||
+           std::max(from.y, to.y) < near_ground.south_m || std::min(from.y, to.y) > near_ground.north_m;
+  }
+
   const HorizonGrid& grid_;
   Vec3d radar_;
   const Occluders& occluders_;
@@ -317,10 +338,13 @@ void HorizonMap::sweep_ground(std::size_t azimuth, Vec3d radar, const Occluders&
             [&](std::size_t, std::size_t i) { steepest = greater(steepest, steps.slope[i]); });
 
   float* const slopes = slopes_.data() + azimuth * stride_;
-  walk.over(occluders.terrain, nullptr, grid_.near_m, grid_.step_m, grid_.distances, [&](std::size_t k, std::size_t i) {
-    steepest = greater(steepest, steps.slope[i]);
-    slopes[k] = steepest;
-  });
+  walk.over(
+      occluders.terrain, nullptr, grid_.near_m, grid_.step_m, grid_.distances,
+      [&](std::size_t k, std::size_t i) {
+        steepest = greater(steepest, steps.slope[i]);
+        slopes[k] = steepest;
+      },
+      [&](std::size_t first, std::size_t end) { std::fill(slopes + first, slopes + end, steepest); });
 }
 
 void HorizonMap::sweep_obstacles(std::size_t azimuth, Vec3d radar, const Occluders& occluders, unsigned worker) {
@@ -342,18 +366,23 @@ void HorizonMap::sweep_obstacles(std::size_t azimuth, Vec3d radar, const Occlude
   float* const solid_slopes = solid_slopes_.data() + azimuth * stride_;
   float* const through = through_.data() + azimuth * stride_;
   float transmission = 1.0F;
-  walk.over(occluders.terrain, occluders.obstacles, within.first_m, within.length_m, grid_.distances * within.a_step,
-            [&](std::size_t stride, std::size_t i) {
-              horizon.pass(steps, i, within.length_m, stride < within.passed(lead) ? nullptr : &crowns);
-              if (stride % within.a_step != within.a_step - 1) return;
-              const std::size_t k = stride / within.a_step;
-              crowns.meet(k);
-              // Ground behind a ridge is not seen whatever stands in between.
-              if (steps.slope[i] >= horizon.steepest) transmission = crowns.transmission();
-              slopes[k] = horizon.steepest;
-              solid_slopes[k] = horizon.solid;
-              through[k] = transmission;
-            });
+  const auto come_to_node = [&](std::size_t k, float slope) {
+    crowns.meet(k);
+    // Ground behind a ridge is not seen whatever stands in between.
+    if (slope >= horizon.steepest) transmission = crowns.transmission();
+    slopes[k] = horizon.steepest;
+    solid_slopes[k] = horizon.solid;
+    through[k] = transmission;
+  };
+  walk.over(
+      occluders.terrain, occluders.obstacles, within.first_m, within.length_m, grid_.distances * within.a_step,
+      [&](std::size_t stride, std::size_t i) {
+        horizon.pass(steps, i, within.length_m, stride < within.passed(lead) ? nullptr : &crowns);
+        if (stride % within.a_step == within.a_step - 1) come_to_node(stride / within.a_step, steps.slope[i]);
+      },
+      [&](std::size_t first, std::size_t end) {
+        for (std::size_t k = first / within.a_step; k < end / within.a_step; ++k) come_to_node(k, no_ground);
+      });
 }
 
 double HorizonMap::through_from(std::size_t azimuth, std::size_t node, double slope, Vec3d radar,

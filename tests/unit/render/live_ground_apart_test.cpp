@@ -1,4 +1,5 @@
 #include <cmath>
+#include <ctime>
 #include <gtest/gtest.h>
 
 #include "live_ground_example.h"
@@ -79,6 +80,24 @@ TEST(LiveGroundApart, BareGroundAnswersWithItsOwnAngleAndAreaAtEveryRange) {
       }
     }
   }
+}
+
+TEST(LiveGroundApart, WhatLiesBetweenTheTerrainAndBinsFarAwayTakesNoTime) {
+  const ScratchFolder folder;
+  ExampleGround example = bare_ground();
+  example.obstacle = [](Vec2d p) { return p.x > 0.0 ? radar::Obstacle{.solid_top_m = 10.0F} : radar::Obstacle{}; };
+  const auto ground = example.over(example.store(folder.path("atlas")));
+  LiveRenderer renderer(ground, {.content = FrameContent::Powers,
+                                 .beams = 8,
+                                 .ranges = 20,
+                                 .beam_step_rad = 0.01,
+                                 .range_step_m = 100.0,
+                                 .threads = 1});
+  // Steps are as short there as the squares that obstacles stand on: without end.
+  const Pose pose{.position = {example.middle().x, example.middle().y, 1000.0}, .first_range_m = 9e6};
+  const std::clock_t begun = std::clock();
+  EXPECT_EQ(renderer.render(pose).report.lit, 0U);
+  EXPECT_LT(static_cast<double>(std::clock() - begun) / CLOCKS_PER_SEC, 0.5);
 }
 
 TEST(LiveGroundApart, BinsThatBeginBelowTheRadarShowTheGroundBeyond) {
