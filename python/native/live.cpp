@@ -125,7 +125,8 @@ void add_frame(py::module_& module) {
       "By how much the terrain that hides may be wrong, for finer tiles were not there yet or cannot be had.");
   binding.def_property_readonly(
       "below_ground_m", [](const HeldFrame& f) { return f.frame.report.below_ground_m; },
-      "By how much the radar lies below the ground, as far as the terrain that is there tells for sure; 0 above it.");
+      "By how much the radar lies below the ground, as far as the terrain that is there tells for sure; beyond the\n"
+      "terrain below the lowest of it, or below mean sea level where that is lower; 0 above it.");
   binding.def_property_readonly(
       "beams_a_cell", [](const HeldFrame& f) { return f.frame.report.beams_a_cell; },
       "How many beams a cell is wide at the nearest ground, where they are narrowest; 1 where none is narrower than a\n"

@@ -124,7 +124,8 @@ typedef struct sigmascape_frame {
   double median_error_db;    /* of a traced frame: standard error of a bin's mean power, in the median over the bins;
                                 infinite while too few rays tell */
   double below_ground_m;     /* by how much the radar lies below the ground, as far as the terrain that is there tells
-                                for sure; 0 above it */
+                                for sure; beyond the terrain below the lowest of it, or below mean sea level where that
+                                is lower; 0 above it */
 } sigmascape_frame;
 
 typedef struct sigmascape_renderer sigmascape_renderer;

@@ -46,6 +46,19 @@ BinResponse azimuth_response(const radar::Radar& radar, double azimuth_step_rad)
   return sampled(reach, 1e-5, [&](int k) { return pattern.azimuth().two_way_power(k * azimuth_step_rad); });
 }
 
+double range_energy_bins(const radar::Radar& radar, double range_step_m) {
+  const auto pulse = radar::RangeResponse::of_width(radar.range_resolution_m, radar.waveform.window);
+  const double widths = pulse.window_response().noise_bandwidth() / pulse.window_response().half_power_width();
+  return widths * radar.range_resolution_m / range_step_m;
+}
+
+double azimuth_energy_bins(const radar::Radar& radar, double azimuth_step_rad) {
+  // Twice as many as the two-way pattern of an aperture has to be sampled at for its sum to be its integral.
+  constexpr double samples_a_width = 8.0;
+  const double samples_a_bin = std::max(std::ceil(samples_a_width * azimuth_step_rad / radar.beam_width_rad), 1.0);
+  return azimuth_response(radar, azimuth_step_rad / samples_a_bin).peak_bins / samples_a_bin;
+}
+
 PlacedResponse::Weights PlacedResponse::at(double place) const {
   // The nearest bin is always among them, at most half a bin away.
   const double nearest = std::floor(place), first = nearest - reach_, last = nearest + reach_;

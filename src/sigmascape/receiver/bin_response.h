@@ -25,6 +25,12 @@ struct BinResponse {
 /// most half a turn to either side.
 [[nodiscard]] BinResponse azimuth_response(const radar::Radar& radar, double azimuth_step_rad);
 
+/// What `peak_bins` is of responses that are sampled more and more finely: the energy of the whole response in bins of
+/// its peak. It is less where bins are so coarse that most of a response falls between their middles: by so much of a
+/// bin of even ground a pulse answers as though all of that lay at its peak.
+[[nodiscard]] double range_energy_bins(const radar::Radar& radar, double range_step_m);
+[[nodiscard]] double azimuth_energy_bins(const radar::Radar& radar, double azimuth_step_rad);
+
 /// How the power of a point spreads along one axis, wherever within a bin it lies; from the middle of a bin as that of
 /// the bin does.
 class PlacedResponse {

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <fmt/format.h>
 #include <memory>
 #include <ranges>
+#include <span>
 #include <tuple>
 #include <vector>
 
@@ -14,6 +16,7 @@
 #include "sigmascape/radar/echo.h"
 #include "sigmascape/radar/look.h"
 #include "sigmascape/radar/radar_title.h"
+#include "sigmascape/receiver/bin_response.h"
 #include "sigmascape/receiver/echo_places.h"
 #include "sigmascape/receiver/response_spread.h"
 #include "sigmascape/receiver/target_echoes.h"
@@ -35,88 +38,112 @@ class GroundAlong {
         outwards_(radar::horizontal_direction(azimuth_rad)),
         ground_(ground),
         earth_(earth),
-        distance_m_(nearest_m()) {}
+        here_(nearest()) {}
 
   /// As of radar::Echo. Where ground lies over other ground any of its places will do: they differ by no more than
   /// their heights over the range.
   double sin_depression(double range_m) {
-    distance_m_ = next_m(distance_m_, range_m);
-    const Vec2d place = foot_ + outwards_ * distance_m_;
-    const double rise_m = earth_.bent({place.x, place.y, ground_(place)}, foot_).z - radar_.z;
-    return std::clamp(-rise_m / range_m, -1.0, 1.0);
+    here_ = next(here_, range_m);
+    // The law of cosines over the enlarged Earth (docs/physics/curved_earth.md, Eq. (4)), solved for the angle at the
+    // radar.
+    const double c = earth_.curvature_per_m(), above_m = radar_.z - here_.height_m;
+    const double sine = (c * here_.range_m * here_.range_m + above_m * (2.0 + c * (radar_.z + here_.height_m))) /
+                        (2.0 * range_m * (1.0 + c * radar_.z));
+    return std::clamp(sine, -1.0, 1.0);
   }
 
  private:
   static constexpr double near_enough_m = 1e-3;
 
-  [[nodiscard]] double height_m(double distance_m) const { return ground_(foot_ + outwards_ * distance_m); }
-  [[nodiscard]] double range_m(double distance_m) const {
-    return earth_.slant_range_m(radar_.z, height_m(distance_m), distance_m);
+  /// On the ground.
+  struct Place {
+    double distance_m, height_m, range_m;
+  };
+
+  [[nodiscard]] Place at(double distance_m) const {
+    const double height_m = ground_(foot_ + outwards_ * distance_m);
+    return {distance_m, height_m, earth_.slant_range_m(radar_.z, height_m, distance_m)};
   }
 
   /// Where the ground is nearest: straight below, unless it rises ahead by more than it recedes.
-  [[nodiscard]] double nearest_m() const {
+  [[nodiscard]] Place nearest() const {
     constexpr int places = 64;
-    const double depth_m = range_m(0.0);
-    double nearest_m = 0.0, least_m = depth_m;
-    for (int place = 1; place < places; ++place) {
-      const double distance_m = depth_m * place / places, there_m = range_m(distance_m);
-      if (there_m >= least_m) continue;
-      nearest_m = distance_m;
-      least_m = there_m;
+    const Place below = at(0.0);
+    Place nearest = below;
+    for (int number = 1; number < places; ++number) {
+      const Place there = at(below.range_m * number / places);
+      if (there.range_m < nearest.range_m) nearest = there;
     }
-    return nearest_m;
+    return nearest;
   }
 
   /// A place of that range beyond one of less; that one where it is no less. However steep the ground, one lies between
   /// it and whatever is farther away, whereas height and distance found from each other in turn run off at steep looks.
-  [[nodiscard]] double next_m(double near_m, double wanted_m) const {
-    double near_by_m = range_m(near_m) - wanted_m;
-    if (near_by_m >= 0.0) return near_m;
-    double far_m =
-        std::max(radar::distance_of_range_m(earth_, radar_.z, height_m(near_m), wanted_m), near_m + near_enough_m);
-    double far_by_m = range_m(far_m) - wanted_m;
+  [[nodiscard]] Place next(Place near, double wanted_m) const {
+    if (near.range_m >= wanted_m) return near;
+    Place far = at(std::max(radar::distance_of_range_m(earth_, radar_.z, near.height_m, wanted_m),
+                            near.distance_m + near_enough_m));
     // Along the sea half a circle is the longest way between two points, and less than twice their range.
-    for (double step_m = far_m - near_m; far_by_m < 0.0 && far_m < 2.0 * wanted_m; step_m *= 2.0) {
-      near_m = far_m;
-      near_by_m = far_by_m;
-      far_m += 2.0 * step_m;
-      far_by_m = range_m(far_m) - wanted_m;
+    for (double step_m = far.distance_m - near.distance_m;
+         far.range_m < wanted_m - near_enough_m && far.distance_m < 2.0 * wanted_m; step_m *= 2.0) {
+      near = far;
+      far = at(far.distance_m + 2.0 * step_m);
     }
-    return between_m(near_m, near_by_m, far_m, far_by_m, wanted_m);
+    return between(near, far, wanted_m);
   }
 
-  /// Regula falsi in its Illinois form. `near_by_m`, `far_by_m`: by how much the two are farther away than is wanted.
-  [[nodiscard]] double between_m(double near_m, double near_by_m, double far_m, double far_by_m,
-                                 double wanted_m) const {
+  /// Regula falsi in its Illinois form.
+  [[nodiscard]] Place between(const Place& near, const Place& far, double wanted_m) const {
     constexpr int most_steps = 40;
-    if (far_by_m < near_enough_m) return far_m;
+    double near_m = near.distance_m, far_m = far.distance_m;
+    // By how much the two are farther away than is wanted.
+    double near_by_m = near.range_m - wanted_m, far_by_m = far.range_m - wanted_m;
+    if (far_by_m < near_enough_m) return far;
     int last_side = 0;
     for (int step = 0; step < most_steps && far_m - near_m > near_enough_m; ++step) {
-      const double middle_m = (near_m * far_by_m - far_m * near_by_m) / (far_by_m - near_by_m);
-      const double middle_by_m = range_m(middle_m) - wanted_m;
-      if (std::abs(middle_by_m) < near_enough_m) return middle_m;
+      const Place middle = at((near_m * far_by_m - far_m * near_by_m) / (far_by_m - near_by_m));
+      const double middle_by_m = middle.range_m - wanted_m;
+      if (std::abs(middle_by_m) < near_enough_m) return middle;
       const int side = middle_by_m > 0.0 ? 1 : -1;
-      (side > 0 ? far_m : near_m) = middle_m;
+      (side > 0 ? far_m : near_m) = middle.distance_m;
       (side > 0 ? far_by_m : near_by_m) = middle_by_m;
       if (side == last_side) (side > 0 ? near_by_m : far_by_m) *= 0.5;
       last_side = side;
     }
-    return 0.5 * (near_m + far_m);
+    return at(0.5 * (near_m + far_m));
   }
 
   Vec3d radar_;
   Vec2d foot_, outwards_;
   const GroundHeight& ground_;
   const radar::CurvedEarth& earth_;
-  double distance_m_;  // of the range before, where the search for the next begins
+  Place here_;  // of the range before, where the search for the next begins
 };
 
-/// Leaves what is not targets. Where a bin is told several times the first that was told is put in last.
-void take_out_targets(radar::RangeAzimuthImage& image, const receiver::TargetsApart& targets) {
-  const std::size_t ranges = image.grid.ranges;
-  for (const auto& [bin, rcs_m2] : targets.bins | std::views::reverse)
-    image.rcs_m2(bin / ranges, bin % ranges) = rcs_m2;
+radar::RangeAzimuthImage dark_image(const Frame& frame, const Pose& pose) {
+  return {frame.grid, pose.position, Array2D<radar::Channels>(frame.grid.azimuths, frame.grid.ranges)};
+}
+
+/// Puts `put(beam, range)` into every bin, for some beams together: they lie side by side in an image, and in a
+/// frame one after the other.
+template <typename Put>
+void for_each_bin(radar::RangeAzimuthImage& image, Put&& put) {
+  constexpr std::size_t together = 8;
+  const radar::RangeAzimuthGrid& grid = image.grid;
+  for (std::size_t first = 0; first < grid.azimuths; first += together) {
+    const std::size_t end = std::min(first + together, grid.azimuths);
+    for (std::size_t range = 0; range < grid.ranges; ++range) {
+      for (std::size_t beam = first; beam < end; ++beam) image.rcs_m2(beam, range) = put(beam, range);
+    }
+  }
+}
+
+/// What is not targets, [beam][range]. Where a bin is told several times the first that was told is put in last.
+std::vector<radar::Channels> without_targets(const Frame& frame) {
+  std::vector<radar::Channels> bins(frame.grid.azimuths * frame.grid.ranges);
+  for (std::size_t bin = 0; bin < bins.size(); ++bin) bins[bin] = power_of_bin(frame, bin);
+  for (const auto& [bin, rcs_m2] : frame.targets.bins | std::views::reverse) bins[bin] = rcs_m2;
+  return bins;
 }
 
 /// Of targets, each once: what two beams of a step hold of one is put together again.
@@ -137,14 +164,30 @@ std::vector<radar::Echo> echoes_of(const receiver::TargetsApart& targets) {
   return echoes;
 }
 
+/// By how much less ground answers than its bins, sampled at their middles alone, would have it.
+///
+/// `received_power` takes a bin's cross-section for what a pulse hears with its peak in the bin's middle, between which
+/// the responses are reckoned with at steps of the bins: over even ground w Δ of it, w being `peak_bins` and Δ the
+/// step. A pulse hears ∫|h|² of even ground. Where bins are finer than responses the two are one; where they are
+/// coarser, most of a bin's ground lies beside the pulse.
+float part_of_ground_heard(const radar::Radar& radar, const radar::RangeAzimuthGrid& grid) {
+  const double along = receiver::range_energy_bins(radar, grid.range_step_m) /
+                       receiver::range_response(radar, grid.range_step_m).peak_bins;
+  const double across = receiver::azimuth_energy_bins(radar, grid.azimuth_step_rad) /
+                        receiver::azimuth_response(radar, grid.azimuth_step_rad).peak_bins;
+  return static_cast<float>(along * across);
+}
+
 /// As receiver::RangeAzimuthReceiver hears echoes before their responses are laid over the bins, one from the middle of
-/// each bin. `ground_along(azimuth_rad)` gives how far below the radar, at growing ranges, they are.
+/// each bin. `bins`, [beam][range], becomes what is heard. `ground_along(azimuth_rad)` gives how far below the radar,
+/// at growing ranges, they are.
 template <typename GroundAlongAzimuth>
-void hear(radar::RangeAzimuthImage& image, const receiver::EchoPlaces& places, GroundAlongAzimuth&& ground_along) {
+void hear(std::vector<radar::Channels>& bins, const radar::RangeAzimuthGrid& grid, const receiver::EchoPlaces& places,
+          float part_heard, GroundAlongAzimuth&& ground_along) {
   constexpr double in_place = 1e-6;  // in bins; what is left is rounding
-  const radar::RangeAzimuthGrid& grid = image.grid;
   std::vector<radar::Channels> heard_by_beam(grid.ranges);
   for (std::size_t beam = 0; beam < grid.azimuths; ++beam) {
+    const auto of_beam = std::span(bins).subspan(beam * grid.ranges, grid.ranges);
     const double azimuth_rad = grid.first_azimuth_rad + (static_cast<double>(beam) + 0.5) * grid.azimuth_step_rad;
     auto sin_depression = ground_along(azimuth_rad);
     std::ranges::fill(heard_by_beam, radar::Channels{});
@@ -152,7 +195,7 @@ void hear(radar::RangeAzimuthImage& image, const receiver::EchoPlaces& places, G
       if (bin >= 0.0 && bin < static_cast<double>(grid.ranges)) heard_by_beam[static_cast<std::size_t>(bin)] += rcs_m2;
     };
     for (std::size_t range = 0; range < grid.ranges; ++range) {
-      const radar::Channels rcs_m2 = image.rcs_m2(beam, range);
+      const radar::Channels rcs_m2 = of_beam[range] * part_heard;
       if (rcs_m2 == radar::Channels{}) continue;
       const double range_m = grid.first_range_m + (static_cast<double>(range) + 0.5) * grid.range_step_m;
       const auto heard = places.heard({.range_m = range_m,
@@ -165,7 +208,7 @@ void hear(radar::RangeAzimuthImage& image, const receiver::EchoPlaces& places, G
       add(near, heard->rcs_m2 * static_cast<float>(1.0 - std::max(far_share, 0.0)));
       if (far_share > in_place) add(near + 1.0, heard->rcs_m2 * static_cast<float>(far_share));
     }
-    for (std::size_t range = 0; range < grid.ranges; ++range) image.rcs_m2(beam, range) = heard_by_beam[range];
+    std::ranges::copy(heard_by_beam, of_beam.begin());
   }
 }
 
@@ -176,13 +219,26 @@ radar::Radar hearing_first_bins(radar::Radar radar, const radar::RangeAzimuthGri
   return radar;
 }
 
+/// Neither the ground's cross-sections nor the targets' are those of another frequency.
+void check_frequency(const Frame& frame, const radar::Radar& radar) {
+  constexpr double as_good_as_one = 0.01;
+  if (frame.frequency_hz == 0.0) return;
+  if (std::abs(radar.frequency_hz - frame.frequency_hz) <= as_good_as_one * frame.frequency_hz) return;
+  throw Error(radar::title_of(radar),
+              fmt::format("has a frequency of {:g} GHz, and the frame shows ground at {:g} GHz",
+                          radar.frequency_hz / 1e9, frame.frequency_hz / 1e9),
+              "open the ground at the radar's frequency, or give a radar of the ground's");
+}
+
 template <typename GroundAlongAzimuth>
 radar::RangeAzimuthImage heard_image(const Frame& frame, const Pose& pose, const radar::Radar& radar,
                                      GroundAlongAzimuth&& ground_along) {
-  radar::RangeAzimuthImage image = image_of(frame, pose);
-  take_out_targets(image, frame.targets);
+  check_frequency(frame, radar);
+  radar::RangeAzimuthImage image = dark_image(frame, pose);
   const receiver::EchoPlaces places(radar, image.grid);
-  hear(image, places, ground_along);
+  std::vector<radar::Channels> ground = without_targets(frame);
+  hear(ground, image.grid, places, part_of_ground_heard(radar, image.grid), ground_along);
+  for_each_bin(image, [&](std::size_t beam, std::size_t range) { return ground[beam * image.grid.ranges + range]; });
   receiver::spread_responses(image, radar);
   receiver::add_echoes(image, hearing_first_bins(radar, image.grid), echoes_of(frame.targets));
   places.blank_unheard(image);
@@ -206,12 +262,10 @@ radar::Channels power_of_bin(const Frame& frame, std::size_t bin) {
 }
 
 radar::RangeAzimuthImage image_of(const Frame& frame, const Pose& pose) {
-  const radar::RangeAzimuthGrid& grid = frame.grid;
-  radar::RangeAzimuthImage image{grid, pose.position, Array2D<radar::Channels>(grid.azimuths, grid.ranges)};
-  for (std::size_t beam = 0; beam < grid.azimuths; ++beam) {
-    for (std::size_t range = 0; range < grid.ranges; ++range)
-      image.rcs_m2(beam, range) = power_of_bin(frame, beam * grid.ranges + range);
-  }
+  radar::RangeAzimuthImage image = dark_image(frame, pose);
+  for_each_bin(image, [&](std::size_t beam, std::size_t range) {
+    return power_of_bin(frame, beam * frame.grid.ranges + range);
+  });
   return image;
 }
 
@@ -224,10 +278,10 @@ radar::RangeAzimuthImage image_of(const Frame& frame, const Pose& pose, const ra
 }
 
 radar::RangeAzimuthImage image_of(const Frame& frame, const Pose& pose, const radar::Radar& radar,
-                                  const GroundHeight& ground, const radar::CurvedEarth& earth) {
+                                  const GroundHeight& ground) {
   if (radar::antenna_pattern(radar).elevation().even()) return heard_image(frame, pose, radar, at_any_depression);
   return heard_image(frame, pose, radar, [&](double azimuth_rad) {
-    return [along = GroundAlong(pose.position, azimuth_rad, ground, earth)](double range_m) mutable {
+    return [along = GroundAlong(pose.position, azimuth_rad, ground, frame.earth)](double range_m) mutable {
       return along.sin_depression(range_m);
     };
   });

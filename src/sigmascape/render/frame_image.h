@@ -5,7 +5,6 @@
 
 #include "sigmascape/base/vec.h"
 #include "sigmascape/radar/channels.h"
-#include "sigmascape/radar/curved_earth.h"
 #include "sigmascape/radar/radar.h"
 #include "sigmascape/radar/range_azimuth_image.h"
 #include "sigmascape/render/live_renderer.h"
@@ -21,9 +20,11 @@ namespace sigmascape::render {
 
 /// The same as a radar hears it, with its compressed pulse and its beam laid over the bins, by the responses of offline
 /// maps (receiver/bin_response.h): what receiver::received_power takes. A target has the watts of the radar equation
-/// there, wherever in a bin it lies and however many bins a resolution cell has; even ground has them in either image.
-/// Targets are added in power, also to frames of amplitudes. They are weakened as far as bins share them with what lies
-/// outside the frame.
+/// there, wherever in a bin it lies and however many bins a resolution cell has. Even ground has them too, whatever the
+/// bins: in bins coarser than the pulse or the beam ground is taken to lie evenly over its bin, of which one pulse
+/// hears a part. What lies where in such a bin is not known: a lone bright spot has the mean of what it would have at
+/// all its places, not what it has at its own. Targets are added in power, also to frames of amplitudes. They are
+/// weakened as far as bins share them with what lies outside the frame.
 ///
 /// Bins in azimuths that the radar's scan never comes to and in ranges outside its gate, which closes an unambiguous
 /// range after its opening at the latest, are NaN, as on offline maps; what the frame holds there folds into the gate,
@@ -31,18 +32,19 @@ namespace sigmascape::render {
 ///
 /// What lies outside the frame is not known: bins nearer to its edge than the response reaches lack what that would lay
 /// over them, and nothing folds in from there. Beams that go round have no edges. Powers are spread, also those of
-/// amplitudes, whose speckle is then weaker than in one pulse. Throws Error for an antenna that tells elevations apart:
-/// bins alone do not say how far below the radar their ground is.
+/// amplitudes, whose speckle is then weaker than in one pulse. Throws Error for a radar whose frequency is more than
+/// a hundredth from the frame's, and for an antenna that tells elevations apart: bins alone do not say how far below
+/// the radar their ground is.
 [[nodiscard]] radar::RangeAzimuthImage image_of(const Frame& frame, const Pose& pose, const radar::Radar& radar);
 
 /// Height of the ground at a place of the local frame, above mean sea level.
 using GroundHeight = std::function<double(Vec2d)>;
 
 /// The same for any antenna: each bin has its two-way gain in elevation, relative to its peak, towards the ground in
-/// the middle of the bin (docs/physics/receiver.md), over the frame's Earth (LiveSettings::refraction), and each target
-/// the one towards itself.
+/// the middle of the bin (docs/physics/receiver.md), over the frame's Earth (Frame::earth), and each target the one
+/// towards itself.
 [[nodiscard]] radar::RangeAzimuthImage image_of(const Frame& frame, const Pose& pose, const radar::Radar& radar,
-                                                const GroundHeight& ground, const radar::CurvedEarth& earth = {});
+                                                const GroundHeight& ground);
 
 /// The ground that the bins of a frame lie on, as finely as they tell it apart and four million nodes hold it. Reads
 /// tiles: nothing for the time between two frames.

@@ -74,6 +74,14 @@ void check_above_ground(const terrain::TerrainPyramid& terrain, Vec3d radar) {
   }
 }
 
+/// By how much a radar beyond the terrain lies below any ground that may be there; 0 of one that is over it.
+double depth_beyond(const terrain::TerrainPyramid& terrain, Vec3d radar) {
+  const radar::Rectangle extent = terrain.layout().extent();
+  if (extent.contains({radar.x, radar.y})) return 0.0;
+  constexpr double sea_m = 0.0;
+  return std::max(std::min(static_cast<double>(terrain.bounds_over(extent).lowest_m), sea_m) - radar.z, 0.0);
+}
+
 bool lies_within(Vec3d vector, double most) {
   return std::abs(vector.x) <= most && std::abs(vector.y) <= most && std::abs(vector.z) <= most;
 }
@@ -169,6 +177,8 @@ LiveRenderer::LiveRenderer(std::shared_ptr<LiveGround> ground, const LiveSetting
     throw Error("live renderer", "is to draw terrain, but the atlas keeps apart what stands on it",
                 "take the horizon sweep, which knows obstacles, or bake with --shadows baked");
   }
+  frame_.frequency_hz = ground_->frequency_hz();
+  frame_.earth = {.refraction = settings.refraction};
   bins_.resize(settings.beams * settings.ranges * numbers_a_bin(settings.content));
   for (unsigned worker = 0; worker < team_.size(); ++worker)
     tasks_.push_back(std::make_unique<SectorTask>(
@@ -209,8 +219,8 @@ const Frame& LiveRenderer::render(const Pose& pose) {
 
 const Frame& LiveRenderer::scan(const Pose& pose, std::size_t first_beam, std::size_t count) {
   check(pose, "live renderer");
+  check_step(first_beam, count, settings_.beams);
   prepare(pose);
-  first_beam = std::min(first_beam, settings_.beams);
   fill(pose, {first_beam, first_beam + std::min(count, settings_.beams - first_beam)});
   // Now that its views are gone: a page that is still looked at makes no room for one that is asked for.
   request();
@@ -224,7 +234,9 @@ void LiveRenderer::fill(const Pose& pose, Beams beams) {
   for (const auto& task : tasks_) task->begin_frame(there.pages, pose.targets.size());
   const DetailBlend levels = next_levels();
   const auto level = static_cast<std::size_t>((levels.next_share > 0.5 ? levels.next : levels.level) - 1);
-  frame_.report = {.level = level, .beams_a_cell = beams_a_cell(level)};
+  frame_.report = {.level = level,
+                   .below_ground_m = depth_beyond(ground_->terrain().pyramid(), pose.position),
+                   .beams_a_cell = beams_a_cell(level)};
   wanted_terrain_.clear();
   wanted_obstacles_.clear();
   find_visible_ground(there, pose, beams, levels);
@@ -269,7 +281,7 @@ void LiveRenderer::prepare(const Pose& pose) {
         fmt::format("stands at {:g} m and is to draw terrain of up to {:g} m from above", pose.position.z, highest_m),
         "fly higher, or take the horizon sweep");
   }
-  const radar::CurvedEarth earth{.refraction = settings_.refraction};
+  const radar::CurvedEarth& earth = frame_.earth;
   const double middle_m = 0.5 * (lowest_m + highest_m);
   halfway_up_ = frame_reach(settings_, pose, middle_m, middle_m, earth);
   const double highest_near_m =
@@ -429,7 +441,7 @@ void LiveRenderer::look_at_targets(const Pose& pose, Beams beams, const DetailBl
       {.position = pose.position,
        .first_azimuth_rad = pose.first_azimuth_rad,
        .first_range_m = pose.first_range_m,
-       .earth = {.refraction = settings_.refraction}},
+       .earth = frame_.earth},
       pose.moment,
       [&](const receiver::TargetFrame::Seen& target) { return count.counted(target.beam, sight.part_seen(target)); },
       &team_);

@@ -11,6 +11,7 @@
 
 #include "sigmascape/base/vec.h"
 #include "sigmascape/base/worker_team.h"
+#include "sigmascape/radar/curved_earth.h"
 #include "sigmascape/radar/range_azimuth_image.h"
 #include "sigmascape/radar/scatterer_lattice.h"
 #include "sigmascape/radar/target.h"
@@ -72,8 +73,8 @@ struct Pose {
 /// velocities that are beyond all that a radar looks at from the Earth.
 void check(const Pose& pose, const std::string& where);
 
-/// For callers to whom a step of a scan without a beam is a mistake: throws Error for one of no beams, and for one that
-/// begins behind the last of `beams`. One that goes on behind the last is of those that are there.
+/// Throws Error for a step of a scan of no beams, and for one that begins behind the last of `beams`. One that goes on
+/// behind the last is of those that are there.
 void check_step(std::size_t first_beam, std::size_t count, std::size_t beams);
 
 /// What a frame cost and what it lacked.
@@ -94,7 +95,8 @@ struct FrameReport {
   std::size_t coarse_obstacles = 0;
   std::size_t targets = 0;  ///< of those of the pose that stand in the bins and are seen, by a step's beams of a scan
   /// By how much the radar lies below the ground, as far as the terrain that is there tells for sure: it sees little or
-  /// nothing then. 0 above it. A radar that is deeper than all terrain about it is refused.
+  /// nothing then. 0 above it. A radar that is deeper than all terrain about it is refused. Beyond the terrain, where
+  /// the ground is not known, below the lowest of all that is, or below mean sea level where that is lower.
   double below_ground_m = 0.0;
   /// How many beams a cell is wide at the nearest ground in the bins, where beams are narrowest: what is told apart
   /// across them there is so much coarser than they are. 1 where none is narrower than a cell, 0 of a traced frame.
@@ -120,6 +122,11 @@ struct Frame {
   /// [beam][range][VV, HH, HV, Re VV·HH*], m². Empty when amplitudes were asked for.
   std::span<const float> powers_m2;
   FrameReport report;
+  /// Of the ground and the targets that answer: what a radar's is held against (render::image_of); 0 of a frame that
+  /// nobody has said it of.
+  double frequency_hz = 0.0;
+  /// On which ranges and depressions are reckoned: LiveSettings::refraction.
+  radar::CurvedEarth earth = {};
   /// What of it targets are: their echoes, each from its own place, and what the bins held before.
   receiver::TargetsApart targets = {};
 };
@@ -142,7 +149,7 @@ class LiveRenderer {
   const Frame& render(const Pose& pose);
   /// Beams first … first + count − 1 anew, the others as they were: one step of a scanning antenna. Theirs is the pose
   /// with which they were drawn, although the frame's grid is that of the last one: an antenna turns by its beams,
-  /// while first_azimuth_rad and first_range_m stay.
+  /// while first_azimuth_rad and first_range_m stay. Throws Error as `check_step` does and as `render` does.
   const Frame& scan(const Pose& pose, std::size_t first_beam, std::size_t count);
 
  private:

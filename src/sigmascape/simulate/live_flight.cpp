@@ -50,6 +50,8 @@ LiveFlight::LiveFlight(const scene::Scene& scene, const trace::SceneGeometry& ge
       beams_(settings.beams),
       numbers_a_beam_(4 * settings.ranges),
       targets_(settings.ranges) {
+  frame_.frequency_hz = ground_->frequency_hz();
+  frame_.earth = {.refraction = settings.refraction};
   if (settings.content == render::FrameContent::Amplitudes)
     amplitudes_m_.resize(beams_ * numbers_a_beam_);
   else
@@ -68,9 +70,9 @@ const render::Frame& LiveFlight::render(const render::Pose& pose) {
 }
 
 const render::Frame& LiveFlight::scan(const render::Pose& pose, std::size_t first_beam, std::size_t count) {
+  render::check_step(first_beam, count, beams_);
   choose(pose);
   keep();
-  first_beam = std::min(first_beam, beams_);
   count = std::min(count, beams_ - first_beam);
   const Part part{first_beam * numbers_a_beam_, count * numbers_a_beam_};
   if (textured_share_ == 0.0)

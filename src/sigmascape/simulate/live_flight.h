@@ -47,7 +47,8 @@ class LiveFlight {
   const render::Frame& render(const render::Pose& pose);
   /// Beams first … first + count − 1 anew, the others as they were: one step of a scanning antenna, by LiveTracer::scan
   /// and LiveRenderer::scan. Each step goes on with a change between levels as a frame does, so that it passes over the
-  /// beams that come next, and a turn later all of the picture is of one level.
+  /// beams that come next, and a turn later all of the picture is of one level. Throws Error as render::check_step does
+  /// and as `render` does.
   const render::Frame& scan(const render::Pose& pose, std::size_t first_beam, std::size_t count);
 
   /// What the last pose asked for, and why: level 0 to be traced. What is shown follows over some frames, or stays

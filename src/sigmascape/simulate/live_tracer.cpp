@@ -91,7 +91,10 @@ LiveTracer::LiveTracer(const scene::Scene& scene, const trace::SceneGeometry& ge
       tallest_m_(scene::tallest_object_m(scene)),
       occupied_(scene::occupied_extent(scene)),
       triangles_per_m2_(scene::triangles_per_m2(scene)),
-      bins_(settings.beams * settings.ranges * render::numbers_a_bin(settings.content)) {}
+      bins_(settings.beams * settings.ranges * render::numbers_a_bin(settings.content)) {
+  frame_.frequency_hz = tracing_.frequency_hz;
+  frame_.earth = {.refraction = settings_.refraction};
+}
 
 LiveTracer::~LiveTracer() = default;
 
@@ -109,7 +112,7 @@ const render::Frame& LiveTracer::render(const render::Pose& pose) {
 
 const render::Frame& LiveTracer::scan(const render::Pose& pose, std::size_t first_beam, std::size_t count) {
   render::check(pose, name);
-  first_beam = std::min(first_beam, settings_.beams);
+  render::check_step(first_beam, count, settings_.beams);
   const Beams beams{first_beam, std::min(count, settings_.beams - first_beam)};
   std::vector<radar::ShadowBox> boxes = boxes_of(pose);
   const bool goes_on = position_ == pose.position && frame_.grid == grid_of(settings_, pose) && boxes_ == boxes;

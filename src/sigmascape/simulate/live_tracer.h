@@ -75,7 +75,7 @@ class LiveTracer {
   /// At one pose a turn in steps holds the bytes of a whole frame as far as echoes come straight back. Of paths of
   /// several bounces a step has those that begin no farther beside it than trace::MultibounceReach says, as every frame
   /// has, and with rays that are weighted by what else is traced: a turn lacks a few thousandths of the power, and its
-  /// noise is its own.
+  /// noise is its own. Throws Error as render::check_step does and as `render` does.
   const render::Frame& scan(const render::Pose& pose, std::size_t first_beam, std::size_t count);
 
   /// What render::choose_detail is to be asked for such a frame, of this scene; what an atlas offers instead is the

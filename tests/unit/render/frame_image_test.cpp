@@ -44,8 +44,10 @@ class OneBin {
 
   /// By how much the beam's elevation weakens it, both ways.
   [[nodiscard]] double lost_db(const GroundHeight& ground, const radar::CurvedEarth& earth) const {
+    Frame frame = frame_;
+    frame.earth = earth;
     const auto peak = [&](const radar::Radar& radar) {
-      return static_cast<double>(image_of(frame_, pose_, radar, ground, earth).rcs_m2(10, 10).vv);
+      return static_cast<double>(image_of(frame, pose_, radar, ground).rcs_m2(10, 10).vv);
     };
     return db_from_linear(peak(radar_with(radar::GaussianBeam{})) / peak(radar_with(radar::EvenBeam{})));
   }
@@ -92,8 +94,9 @@ TEST(FrameImage, GroundThatRisesIsMetNearer) {
 class FineBins {
  public:
   explicit FineBins(double middle_m) : powers_(std::size_t{bins * 4}, 0.0F) {
-    for (std::size_t bin = 0; bin < bins; ++bin) powers_[4 * bin] = 1.0F;
+    for (std::size_t bin = 0; bin < bins; ++bin) powers_[4 * bin] = 1e6F;
     frame_.grid = {middle_m - 0.5 * bins * bin_m, bin_m, bins, -0.005, 0.01, 1};
+    frame_.earth = radar::CurvedEarth::flat();
     frame_.powers_m2 = powers_;
     pose_.position = {0.0, 0.0, height_m};
   }
@@ -107,7 +110,7 @@ class FineBins {
       radar.range_resolution_m = 0.01;
       radar.beam_width_rad = 1e-4;
       radar.antenna.tilt_rad = radians_from_deg(beam_tilt_deg);
-      return image_of(frame_, pose_, radar, ground, radar::CurvedEarth::flat());
+      return image_of(frame_, pose_, radar, ground);
     };
     const auto weighted = image(radar::GaussianBeam{}), even = image(radar::EvenBeam{});
     std::vector<double> lost;
@@ -204,9 +207,11 @@ TEST(FrameImage, BinsAreWeightedAsOfflineMapsWeightEchoes) {
                                          .sin_depression = static_cast<float>(height_m / range_m)}};
   receiver.add(echoes);
   const auto offline = receiver.image();
-  const auto live = image_of(bin.frame(), bin.pose(), radar, level(0.0), radar::CurvedEarth::flat());
+  Frame frame = bin.frame();
+  frame.earth = radar::CurvedEarth::flat();
+  const auto live = image_of(frame, bin.pose(), radar, level(0.0));
   for (const auto& [beam, range] : {std::pair{10U, 10U}, {9U, 10U}, {10U, 12U}}) {
-    EXPECT_NEAR(live.rcs_m2(beam, range).vv / offline.rcs_m2(beam, range).vv, 1.0F, 1e-3F) << beam << ", " << range;
+    EXPECT_NEAR(live.rcs_m2(beam, range).vv / offline.rcs_m2(beam, range).vv, 1.0F, 2e-3F) << beam << ", " << range;
   }
 }
 

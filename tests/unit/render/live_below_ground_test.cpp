@@ -76,8 +76,19 @@ TEST_F(LiveBelowGround, ARadarBelowAllGroundIsRefused) {
     EXPECT_THAT(error.what(), testing::HasSubstr("below all ground"));
   }
   EXPECT_EQ(renderer.render(pose_at({}, 1000.0)).report.cells, cells);
-  // Beyond the terrain nobody knows.
-  EXPECT_NO_THROW(renderer.render(pose_at({0.0, -50e3}, -10.0)));
+}
+
+TEST_F(LiveBelowGround, ARadarBeyondTheTerrainIsToldBelowTheLowestGroundAndTheSea) {
+  const auto ground = example_.over(*store_);
+  LiveRenderer renderer(ground, settings());
+  const auto below_m = [&](Vec2d way, double height_m) {
+    return renderer.render(pose_at(way, height_m)).report.below_ground_m;
+  };
+  EXPECT_EQ(below_m({0.0, -50e3}, -10.0), 10.0);
+  EXPECT_EQ(below_m({0.0, -3000.0}, -1000.0), 1000.0);
+  // What ground there may be nobody knows, but none below the sea is known of.
+  EXPECT_EQ(below_m({0.0, -50e3}, 10.0), 0.0);
+  EXPECT_EQ(below_m({0.0, -900.0}, 1000.0), 0.0);
 }
 
 }  // namespace

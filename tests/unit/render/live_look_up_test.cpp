@@ -177,9 +177,9 @@ TEST(LiveLookUp, OfATexelDoesNotDependOnItsRow) {
       const Pose pose{.position = {example.middle().x + aside, example.middle().y + 0.3 * aside, height_m},
                       .first_range_m = height_m - 2.0};
       settled_frame(renderer, *ground, pose);
-      for (std::size_t beam = 0; beam < beams; beam += a_step) renderer.scan(pose, beam, a_step);
-      const Frame& frame = renderer.scan(pose, 0, 0);
-      powers.insert(powers.end(), frame.powers_m2.begin(), frame.powers_m2.end());
+      const Frame* frame = nullptr;
+      for (std::size_t beam = 0; beam < beams; beam += a_step) frame = &renderer.scan(pose, beam, a_step);
+      powers.insert(powers.end(), frame->powers_m2.begin(), frame->powers_m2.end());
     }
     if (whole.empty()) whole = powers;
     EXPECT_TRUE(powers == whole) << a_step;

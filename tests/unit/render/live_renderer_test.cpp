@@ -198,6 +198,34 @@ TEST_F(LiveRendererTest, AScanFillsTheFrameBeamByBeam) {
   EXPECT_TRUE(std::ranges::equal(whole.amplitudes_m, swept.amplitudes_m));
 }
 
+/// Every channel of every bin, as they are.
+std::vector<float> numbers_of(const Frame& frame) {
+  std::vector<float> numbers(frame.powers_m2.begin(), frame.powers_m2.end());
+  for (const std::complex<float>& a : frame.amplitudes_m) numbers.insert(numbers.end(), {a.real(), a.imag()});
+  return numbers;
+}
+
+TEST_F(LiveRendererTest, AStepWithoutABeamIsRefused) {
+  const auto ground = level_ground().over(*store_);
+  const ExampleView view;
+  LiveRenderer renderer(ground, view.settings(FrameContent::Powers));
+  const std::vector<float> before = numbers_of(settled_frame(renderer, *ground, view.pose()));
+  EXPECT_THROW(renderer.scan(view.pose(), view.beams, 4), Error);
+  EXPECT_THROW(renderer.scan(view.pose(), 0, 0), Error);
+  EXPECT_TRUE(numbers_of(renderer.scan(view.pose(), view.beams - 1, 4)) == before) << "the last beam alone";
+}
+
+TEST_F(LiveRendererTest, AFrameSaysOfWhichFrequencyAndEarthItIs) {
+  const auto ground = level_ground().over(*store_);
+  const ExampleView view;
+  LiveSettings settings = view.settings(FrameContent::Powers);
+  settings.refraction = 1.5;
+  LiveRenderer renderer(ground, settings);
+  const Frame& frame = renderer.render(view.pose());
+  EXPECT_EQ(frame.frequency_hz, ground->frequency_hz());
+  EXPECT_EQ(frame.earth.refraction, 1.5);
+}
+
 TEST_F(LiveRendererTest, TheSameGroundAnswersWithTheSamePhase) {
   const auto ground = level_ground().over(*store_);
   const ExampleView view;
@@ -362,13 +390,6 @@ TEST_F(LiveRendererTest, GroundBeyondTheAtlasIsCountedButNotGoneOver) {
   EXPECT_EQ(frame.report.lit, frame.report.cells - frame.report.dark);
 }
 
-/// Every channel of every bin, as they are.
-std::vector<float> numbers_of(const Frame& frame) {
-  std::vector<float> numbers(frame.powers_m2.begin(), frame.powers_m2.end());
-  for (const std::complex<float>& a : frame.amplitudes_m) numbers.insert(numbers.end(), {a.real(), a.imag()});
-  return numbers;
-}
-
 TEST_F(LiveRendererTest, TheAltitudeReturnIsThatOfAFrameHoweverAScanIsCut) {
   const auto ground = level_ground().over(*store_);
   const Vec2d middle = ExampleGround{}.middle();
@@ -396,8 +417,9 @@ TEST_F(LiveRendererTest, TheAltitudeReturnIsThatOfAFrameHoweverAScanIsCut) {
     }
     for (const std::size_t a_step : {64UL, 7UL, 1UL}) {
       LiveRenderer scanning(ground, settings);
-      for (std::size_t beam = 0; beam < settings.beams; beam += a_step) scanning.scan(pose, beam, a_step);
-      EXPECT_TRUE(numbers_of(scanning.scan(pose, 0, 0)) == whole) << a_step;
+      const Frame* swept = nullptr;
+      for (std::size_t beam = 0; beam < settings.beams; beam += a_step) swept = &scanning.scan(pose, beam, a_step);
+      EXPECT_TRUE(numbers_of(*swept) == whole) << a_step;
     }
   }
 }

@@ -11,6 +11,7 @@
 #include "physics/level_scene.h"
 #include "unit/render/live_ground_example.h"
 
+#include "sigmascape/base/error.h"
 #include "sigmascape/render/frame_image.h"
 #include "sigmascape/simulate/frame_blend.h"
 
@@ -194,6 +195,9 @@ TEST_F(LiveFlightTest, AScanFillsTheFrameBeamByBeam) {
       for (std::size_t beam = 0; beam < 24; beam += 7) swept = &scanning.scan(here, beam, 7);
       EXPECT_EQ(scanning.textured_share(), times < 2.0 ? 0.0 : 1.0);
       EXPECT_TRUE(powers_of(*swept) == whole) << times;
+      EXPECT_EQ(swept->frequency_hz, ground_->frequency_hz());
+      EXPECT_EQ(swept->earth.refraction, bins(content).refraction);
+      EXPECT_THROW(scanning.scan(here, 24, 7), Error);
     }
   }
 }
