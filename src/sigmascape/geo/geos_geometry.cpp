@@ -1,6 +1,7 @@
 #include "sigmascape/geo/geos_geometry.h"
 
 #include <fmt/format.h>
+#include <utility>
 #include <vector>
 
 namespace sigmascape::geo {
@@ -100,7 +101,9 @@ Polygons polygons_of(const GeosGeometry& geometry) {
 }
 
 Error geos_fault(const std::string& undone, const Polygons& of) {
-  return Error("outline" + place_of(of), fmt::format("{} ({})", undone, context().complaint),
+  // Taken, so that no later fault has the words of this one.
+  const std::string complaint = std::exchange(context().complaint, {});
+  return Error("outline" + place_of(of), complaint.empty() ? undone : fmt::format("{} ({})", undone, complaint),
                "correct it, or leave it out");
 }
 

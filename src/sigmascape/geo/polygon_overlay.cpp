@@ -36,7 +36,10 @@ bool is_as_large(const GeosGeometry& geometry, const Polygon& polygon) {
 /// The outline without the courtyards.
 GeosGeometry outline_less_holes(const Polygon& polygon) {
   Polygons holes;
-  for (const Ring& hole : polygon.holes) holes.push_back({hole, {}});
+  for (const Ring& hole : polygon.holes) {
+    if (hole.size() >= 3) holes.push_back({hole, {}});
+  }
+  if (holes.empty()) return nullptr;
   const GeosGeometry all_holes(GEOSUnaryUnion_r(geos(), geometry_of(holes).get()));
   if (!all_holes) return nullptr;
   return GeosGeometry(GEOSDifference_r(geos(), geometry_of(Polygon{polygon.outer, {}}).get(), all_holes.get()));

@@ -15,7 +15,7 @@ using Polygons = std::vector<Polygon>;
 /// How the rings of a polygon lie, each by itself and to one another.
 enum class Rings {
   Valid,  ///< at most at single points that leave its inside in one piece
-  Touch,  ///< more than that, but none crosses: a courtyard that lies against the outline or another
+  Touch,  ///< more than that, but none crosses: as a courtyard that lies against the outline or another
   Cross
 };
 

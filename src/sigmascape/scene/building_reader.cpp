@@ -97,7 +97,7 @@ geo::Polygons mended_shape(const geo::Feature& feature, const BuildingSource& so
   if (rings.contains(geo::Rings::Cross)) {
     tally.flaw("self-crossing footprints, repaired", feature.id);
   } else if (rings.contains(geo::Rings::Touch)) {
-    tally.note("footprints whose rings touch along more than a point, parted there", feature.id);
+    tally.note("footprints whose rings touch themselves or one another, parted there", feature.id);
   }
   // Parts of one feature may overlap one another; the valid whole is their union.
   if (feature.polygons.size() > 1) shape = geo::united_all(shape);

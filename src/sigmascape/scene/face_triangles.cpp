@@ -64,18 +64,12 @@ std::optional<std::vector<FaceTriangle>> triangles_of_face(std::span<const Vec3d
   if (sees_all_edges(ring)) return fan_of(corners.size());
 
   std::vector<FaceTriangle> triangles;
-  const double wanted = 2.0 * geo::signed_area_m2(ring);
-  double filled = 0.0;
   try {
-    for (const auto& [a, b, c] : geo::triangulated({ring, {}})) {
+    for (const auto& [a, b, c] : geo::triangulated({ring, {}}))
       triangles.push_back({corner_at(ring, a), corner_at(ring, b), corner_at(ring, c)});
-      filled += twice_area(a, b, c);
-    }
   } catch (const Error&) {
     return std::nullopt;
   }
-  constexpr double rounding = 1e-6;
-  if (std::abs(filled - wanted) > rounding * wanted) return std::nullopt;
   return triangles;
 }
 

@@ -71,6 +71,14 @@ TEST(PolygonOverlay, CourtyardsAgainstTheOutlineTouchAndDoNotCross) {
   EXPECT_NEAR(area_m2(lobes.polygons), 150.0, 1e-6);
 }
 
+TEST(PolygonOverlay, CourtyardsOfNoCornersAreNoneOfACrossingOutline) {
+  for (const Ring& courtyard : {Ring{}, Ring{{1, 1}}, Ring{{1, 1}, {2, 1}}}) {
+    const auto lobes = repaired({{{0, 0}, {30, 30}, {30, 40}, {10, 0}}, {courtyard}});
+    EXPECT_EQ(lobes.were, Rings::Cross);
+    EXPECT_NEAR(area_m2(lobes.polygons), 150.0, 1e-6);
+  }
+}
+
 TEST(PolygonOverlay, WhatCannotBeDoneIsNoEmptyPolygon) {
   const Polygons whole{box(0, 0, 10, 10)};
   Polygons nowhere{box(5, 5, 15, 15)};
