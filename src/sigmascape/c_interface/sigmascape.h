@@ -125,7 +125,7 @@ typedef struct sigmascape_frame {
                                 infinite while too few rays tell */
   double below_ground_m;     /* by how much the radar lies below the ground, as far as the terrain that is there tells
                                 for sure; beyond the terrain below the lowest of it, or below mean sea level where that
-                                is lower; 0 above it */
+                                is lower; 0 above it, and of a traced frame */
 } sigmascape_frame;
 
 typedef struct sigmascape_renderer sigmascape_renderer;

@@ -96,7 +96,8 @@ struct FrameReport {
   std::size_t targets = 0;  ///< of those of the pose that stand in the bins and are seen, by a step's beams of a scan
   /// By how much the radar lies below the ground, as far as the terrain that is there tells for sure: it sees little or
   /// nothing then. 0 above it. A radar that is deeper than all terrain about it is refused. Beyond the terrain, where
-  /// the ground is not known, below the lowest of all that is, or below mean sea level where that is lower.
+  /// the ground is not known, below the lowest of all that is, or below mean sea level where that is lower. 0 of a
+  /// traced frame.
   double below_ground_m = 0.0;
   /// How many beams a cell is wide at the nearest ground in the bins, where beams are narrowest: what is told apart
   /// across them there is so much coarser than they are. 1 where none is narrower than a cell, 0 of a traced frame.
