@@ -8,6 +8,7 @@
 
 #include "results/columns.h"
 #include "results/contrast.h"
+#include "results/costs.h"
 #include "words.h"
 
 namespace sigmascape::cli {
@@ -191,9 +192,8 @@ const ResultsRow* best_combination(const ResultsPlan& plan, const std::vector<Re
   const ResultsRow* best = nullptr;
   for (const ResultsRow& row : rows) {
     const ResultsCase& of = row.of;
-    const bool is_way = of.scene == plan.scene_name() && of.kind == ViewKind::HeldOut && of.level_of_detail == 1 &&
-                        of.grid != own_look && of.method != Method::Traced && of.change != renormalized_change &&
-                        (of.baked_samples == plan.baked_samples || of.change == adaptive_change);
+    const bool is_way = is_from_a_grid(of, plan) && of.scene == plan.scene_name() && of.kind == ViewKind::HeldOut &&
+                        of.change != renormalized_change;
     const ResultsCell* cell = row.at_cell(summary_cell_m);
     if (!is_way || cell == nullptr || std::isnan(cell->median.rms_db) || row.atlas.store_bytes > most_bytes) continue;
     if (best == nullptr || cell->median.rms_db < best->at_cell(summary_cell_m)->median.rms_db) best = &row;

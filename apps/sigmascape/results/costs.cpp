@@ -50,11 +50,13 @@ std::string vertices_text(const ResultsReport& report) {
 
 }  // namespace
 
+bool is_from_a_grid(const ResultsCase& of, const ResultsPlan& plan) {
+  const bool has_rays_of_grids = of.baked_samples == plan.baked_samples || of.change == adaptive_change;
+  return has_rays_of_grids && of.method != Method::Traced && of.grid != own_look && of.level_of_detail == 1;
+}
+
 bool is_of_a_grid(const ResultsRow& row, const ResultsPlan& plan) {
-  const ResultsCase& of = row.of;
-  const bool is_as_planned = of.change.empty() && of.baked_samples == plan.baked_samples;
-  return (is_as_planned || of.change == adaptive_change) && of.method != Method::Traced && of.grid != own_look &&
-         of.level_of_detail == 1;
+  return is_from_a_grid(row.of, plan) && (row.of.change.empty() || row.of.change == adaptive_change);
 }
 
 std::string costs_section(const ResultsReport& report) {

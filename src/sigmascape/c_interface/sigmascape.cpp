@@ -64,7 +64,6 @@ struct sigmascape_scene {
 
 /// From textures, traced, or the one or the other: one of the three is there.
 struct sigmascape_renderer {
-  std::size_t beams = 0;
   std::unique_ptr<LiveRenderer> renderer = {};
   std::shared_ptr<TracedScene> scene = {};
   std::unique_ptr<LiveTracer> tracer = {};
@@ -334,8 +333,7 @@ sigmascape_settings sigmascape_default_settings(void) {
 sigmascape_renderer* sigmascape_make_renderer(sigmascape_ground* ground, const sigmascape_settings* settings) {
   return guarded<sigmascape_renderer*>(nullptr, [&] {
     const LiveSettings live = settings_from(given(settings, "settings"));
-    return new sigmascape_renderer{.beams = live.beams,
-                                   .renderer = std::make_unique<LiveRenderer>(given(ground, "ground").ground, live)};
+    return new sigmascape_renderer{.renderer = std::make_unique<LiveRenderer>(given(ground, "ground").ground, live)};
   });
 }
 
@@ -362,8 +360,7 @@ sigmascape_renderer* sigmascape_make_tracer(sigmascape_scene* scene, const sigma
   return guarded<sigmascape_renderer*>(nullptr, [&] {
     const auto& traced = given(scene, "scene").scene;
     const LiveSettings live = settings_from(given(settings, "settings"));
-    return new sigmascape_renderer{.beams = live.beams,
-                                   .scene = traced,
+    return new sigmascape_renderer{.scene = traced,
                                    .tracer = std::make_unique<LiveTracer>(traced->scene, traced->geometry, live,
                                                                           tracing_from(given(tracing, "tracing"))),
                                    .targets = sigmascape::simulate::targets_of(traced->scene)};
@@ -376,7 +373,6 @@ sigmascape_renderer* sigmascape_make_flight(sigmascape_scene* scene, sigmascape_
     const auto& traced = given(scene, "scene").scene;
     const LiveSettings live = settings_from(given(settings, "settings"));
     return new sigmascape_renderer{
-        .beams = live.beams,
         .scene = traced,
         .flight = std::make_unique<LiveFlight>(
             traced->scene, traced->geometry, given(ground, "ground").ground, live,
@@ -433,7 +429,6 @@ int sigmascape_scan(sigmascape_renderer* renderer, const sigmascape_pose* pose, 
   return guarded(1, [&] {
     (void)given(renderer, "renderer");
     (void)given(frame, "frame");
-    sigmascape::render::check_step(first_beam, count, renderer->beams);
     const auto wanted = pose_from(given(pose, "pose"), *renderer);
     copy(renderer->flight   ? renderer->flight->scan(wanted, first_beam, count)
          : renderer->tracer ? renderer->tracer->scan(wanted, first_beam, count)

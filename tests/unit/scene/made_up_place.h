@@ -11,6 +11,9 @@
 
 namespace sigmascape::scene {
 
+/// What write_houses has written, in a scene file.
+inline const std::string houses_section = "[[buildings]]\nfile = \"houses.geojson\"\nheight_attribute = \"h\"\n";
+
 /// Files of a made-up place: 1 km × 0.8 km at 43.312° N, a slope that falls to a sea in its south, a wood in its
 /// north-east. Frame coordinates of the corner are about (−500, −400) m, because the terrain's middle is the origin.
 class MadeUpPlace {

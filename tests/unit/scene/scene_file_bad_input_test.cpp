@@ -13,8 +13,6 @@ using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-const std::string houses_section = "[[buildings]]\nfile = \"houses.geojson\"\nheight_attribute = \"h\"\n";
-
 class BadInput : public ::testing::Test {
  protected:
   [[nodiscard]] std::string fault_of(const std::string& toml) const {

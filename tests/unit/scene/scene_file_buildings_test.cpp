@@ -15,8 +15,6 @@
 namespace sigmascape::scene {
 namespace {
 
-const std::string houses_section = "[[buildings]]\nfile = \"houses.geojson\"\nheight_attribute = \"h\"\n";
-
 double processor_time_s() {
   return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 }
