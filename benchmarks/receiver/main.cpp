@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
-#include <ctime>
 #include <fmt/format.h>
 #include <string>
 #include <string_view>
@@ -32,9 +31,9 @@ template <typename Work>
 double seconds_of(const Work& work) {
   double best = 1e30;
   for (int run = 0; run < 7; ++run) {
-    const std::clock_t start = std::clock();
+    const double start_s = bench::processor_seconds();
     work();
-    best = std::min(best, static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
+    best = std::min(best, bench::processor_seconds() - start_s);
   }
   return best;
 }

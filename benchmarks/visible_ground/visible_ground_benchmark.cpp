@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <ctime>
 #include <fmt/format.h>
 #include <functional>
 #include <thread>
@@ -23,6 +22,7 @@ using sigmascape::Array2D;
 using sigmascape::Vec3d;
 using sigmascape::WorkerTeam;
 using sigmascape::bench::Figures;
+using sigmascape::bench::processor_seconds;
 using sigmascape::bench::prove;
 using sigmascape::render::HorizonGrid;
 using sigmascape::render::VisibilityMethod;
@@ -38,9 +38,9 @@ Cost least_cost(std::chrono::milliseconds time, const std::function<void()>& wor
   const auto end = std::chrono::steady_clock::now() + time;
   for (int run = 0; run < 5 || std::chrono::steady_clock::now() < end; ++run) {
     const auto start = std::chrono::steady_clock::now();
-    const std::clock_t processor_start = std::clock();
+    const double processor_start_s = processor_seconds();
     work();
-    const double processor_ms = 1e3 * static_cast<double>(std::clock() - processor_start) / CLOCKS_PER_SEC;
+    const double processor_ms = 1e3 * (processor_seconds() - processor_start_s);
     const double wall_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
     least = {std::min(least.wall_ms, wall_ms), std::min(least.processor_ms, processor_ms)};
   }

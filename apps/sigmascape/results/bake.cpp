@@ -8,10 +8,9 @@
 #include <optional>
 #include <utility>
 
-#include "results/processor_time.h"
-
 #include "sigmascape/atlas/ground_layers.h"
 #include "sigmascape/atlas/obstacle_file.h"
+#include "sigmascape/base/processor_stopwatch.h"
 #include "sigmascape/geo/atomic_file.h"
 
 namespace sigmascape::cli {

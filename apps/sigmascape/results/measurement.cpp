@@ -8,12 +8,12 @@
 #include <tuple>
 
 #include "map_files.h"
-#include "results/processor_time.h"
 #include "results/tile_power.h"
 #include "scene_warnings.h"
 
 #include "sigmascape/base/error.h"
 #include "sigmascape/base/machine_name.h"
+#include "sigmascape/base/processor_stopwatch.h"
 #include "sigmascape/base/units.h"
 #include "sigmascape/scene/scene_file.h"
 #include "sigmascape/simulate/coherent.h"

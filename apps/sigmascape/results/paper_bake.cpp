@@ -4,10 +4,9 @@
 #include <cmath>
 #include <fmt/format.h>
 
-#include "results/processor_time.h"
-
 #include "sigmascape/atlas/half.h"
 #include "sigmascape/bake/bake_settings.h"
+#include "sigmascape/base/processor_stopwatch.h"
 #include "sigmascape/base/units.h"
 #include "sigmascape/product/ground_map_file.h"
 #include "sigmascape/scene/scene.h"

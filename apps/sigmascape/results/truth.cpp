@@ -6,9 +6,9 @@
 #include <optional>
 
 #include "map_files.h"
-#include "results/processor_time.h"
 
 #include "sigmascape/bake/bake_settings.h"
+#include "sigmascape/base/processor_stopwatch.h"
 #include "sigmascape/product/ground_map_file.h"
 #include "sigmascape/simulate/placement.h"
 #include "sigmascape/simulate/simulate.h"

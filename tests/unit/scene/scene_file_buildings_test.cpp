@@ -1,7 +1,6 @@
 // Features of building files that stand otherwise than they may have been meant, and files of many.
 #include <algorithm>
 #include <cstddef>
-#include <ctime>
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -10,14 +9,11 @@
 
 #include "unit/scene/made_up_place.h"
 
+#include "sigmascape/base/processor_stopwatch.h"
 #include "sigmascape/scene/scene_file.h"
 
 namespace sigmascape::scene {
 namespace {
-
-double processor_time_s() {
-  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
-}
 
 /// Corners of a ring of GeoJSON, in metres from the place's middle.
 std::string ring(const std::vector<Vec2d>& corners) {
@@ -88,9 +84,9 @@ TEST(SceneFileBuildings, ATownOfOneFeatureTakesNoLongerThanItsHouses) {
   const std::string tower = MadeUpPlace::house(2, -2, 7, 3, R"("h":20)");
   const auto read = [&](const std::string& features, double& taken_s) {
     place.write_houses(features + "," + tower);
-    const double start_s = processor_time_s();
+    const ProcessorStopwatch watch;
     const Scene scene = place.read(houses_section + "max_flawed_share = 1\n");
-    taken_s = processor_time_s() - start_s;
+    taken_s = watch.seconds();
     std::vector<float> footings_m;
     for (const Building& building : scene.buildings.items) footings_m.push_back(building.footing_m);
     std::ranges::sort(footings_m);

@@ -1,7 +1,6 @@
 // How far rasters reach, what they are of, and what roads paint.
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -11,6 +10,7 @@
 
 #include "unit/scene/made_up_place.h"
 
+#include "sigmascape/base/processor_stopwatch.h"
 #include "sigmascape/geo/coordinate_transform.h"
 #include "sigmascape/scene/scene_file.h"
 #include "sigmascape/scene/scene_warnings.h"
@@ -142,9 +142,9 @@ TEST(SceneFileGround, LongRoadsAcrossTheRowsTakeNoLongerThanTheGround) {
     zigzag.push_back({i % 2 == 0 ? 500'610.0 : 501'590.0, i % 2 == 0 ? 4'795'010.0 : 4'795'790.0});
   place.write("road.geojson", road_through(zigzag));
   const auto taken_s = [&](const std::string& roads) {
-    const std::clock_t start = std::clock();
+    const ProcessorStopwatch watch;
     static_cast<void>(place.read(no_water + "cell_m = 0.5\n" + roads));
-    return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+    return watch.seconds();
   };
   const double ground_s = taken_s("");
   EXPECT_LT(taken_s("[[roads]]\nfile = \"road.geojson\"\nwidth_m = 4\n"), 5.0 * ground_s);

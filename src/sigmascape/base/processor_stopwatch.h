@@ -2,7 +2,7 @@
 
 #include <ctime>
 
-namespace sigmascape::cli {
+namespace sigmascape {
 
 /// Seconds that the processors have spent on this program since it was made, all threads together: unlike the time on
 /// the wall they hardly change when the machine has other work.
@@ -14,4 +14,4 @@ class ProcessorStopwatch {
   std::clock_t start_ = std::clock();
 };
 
-}  // namespace sigmascape::cli
+}  // namespace sigmascape
