@@ -41,9 +41,15 @@ EchoPlaces::EchoPlaces(const radar::Radar& radar, const radar::RangeAzimuthGrid&
     : radar_(radar),
       grid_(grid),
       gain_over_depression_(gain_over_depression(radar)),
-      gate_start_m_(radar.receiver.first_range_m.value_or(grid.first_range_m)),
       gate_end_m_(radar.receiver.last_range_m.value_or(std::numeric_limits<double>::infinity())),
-      unambiguous_m_(radar::unambiguous_range_m(radar.waveform.pulse_repetition_hz)) {}
+      unambiguous_m_(radar::unambiguous_range_m(radar.waveform.pulse_repetition_hz)) {
+  move_to(grid);
+}
+
+void EchoPlaces::move_to(const radar::RangeAzimuthGrid& grid) {
+  grid_ = grid;
+  gate_start_m_ = radar_.receiver.first_range_m.value_or(grid.first_range_m);
+}
 
 std::optional<EchoPlaces::Heard> EchoPlaces::heard(const radar::Echo& echo) const {
   double range_m = echo.range_m;

@@ -21,19 +21,22 @@ class EchoPlaces {
   };
   /// Nothing of an echo from beyond the gate.
   [[nodiscard]] std::optional<Heard> heard(const radar::Echo& echo) const;
+  /// Of other bins from here on. What the antenna's elevation makes of depressions is kept.
+  void move_to(const radar::RangeAzimuthGrid& grid);
   /// Of an azimuth, in units of bins.
   [[nodiscard]] double column_of(double azimuth_rad) const;
   /// Makes bins NaN in azimuths that the beam's axis never comes to and in ranges outside the gate.
   void blank_unheard(radar::RangeAzimuthImage& image) const;
-
- private:
   /// Whether the gate is open between the middles of this row and one beside it, of which a map reads both.
   [[nodiscard]] bool is_within_gate(std::size_t row) const;
+  /// Whether the antenna has a gain in elevation of its own for every depression.
+  [[nodiscard]] bool tell_elevations_apart() const { return !gain_over_depression_.empty(); }
 
+ private:
   radar::Radar radar_;
   radar::RangeAzimuthGrid grid_;
   std::vector<float> gain_over_depression_;
-  double gate_start_m_, gate_end_m_, unambiguous_m_;
+  double gate_start_m_ = 0.0, gate_end_m_, unambiguous_m_;
 };
 
 /// Whether the beam's axis comes between the middles of this column and one beside it, of which a map reads both. The

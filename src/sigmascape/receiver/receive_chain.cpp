@@ -91,7 +91,15 @@ class Column {
   std::uint64_t seed_;
 };
 
-/// Power in a bin over the cross-section in it, for each range. docs/physics/receiver.md, Eq. (3).
+}  // namespace
+
+void check_receivable(radar::Polarization polarization) {
+  if (polarization == radar::Polarization::Sum) {
+    throw Error("received power", "cannot be that of the sum of polarizations, which no receiver has",
+                "choose VV, HH, HV or VH");
+  }
+}
+
 std::vector<double> watts_per_m2(const radar::Radar& radar, const radar::RangeAzimuthGrid& grid) {
   const double bins_of_a_point =
       range_response(radar, grid.range_step_m).peak_bins * azimuth_response(radar, grid.azimuth_step_rad).peak_bins;
@@ -106,14 +114,9 @@ std::vector<double> watts_per_m2(const radar::Radar& radar, const radar::RangeAz
   return factors;
 }
 
-}  // namespace
-
 ReceivedPower received_power(const radar::Radar& radar, const radar::RangeAzimuthImage& image,
                              radar::Polarization polarization) {
-  if (polarization == radar::Polarization::Sum) {
-    throw Error("received power", "cannot be that of the sum of polarizations, which no receiver has",
-                "choose VV, HH, HV or VH");
-  }
+  check_receivable(polarization);
   const radar::RangeAzimuthGrid& grid = image.grid;
   const std::vector<double> factors = watts_per_m2(radar, grid);
   ReceivedPower received{grid, Array2D<float>(grid.azimuths, grid.ranges), radar::noise_power_w(radar)};

@@ -3,6 +3,7 @@
 #include <complex>
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include "sigmascape/base/array2d.h"
 #include "sigmascape/radar/radar.h"
@@ -19,6 +20,13 @@ struct ReceivedPower {
   Array2D<float> signal_w;
   double noise_w = 0.0;  ///< k T₀ B F, the same in every bin
 };
+
+/// Throws Error for the sum of polarizations, which no receiver has.
+void check_receivable(radar::Polarization polarization);
+
+/// Power in a bin over the cross-section in it once the responses of pulse and beam are laid over the bins, for each
+/// range, W/m². docs/physics/receiver.md, Eq. (3).
+[[nodiscard]] std::vector<double> watts_per_m2(const radar::Radar& radar, const radar::RangeAzimuthGrid& grid);
 
 /// The radar equation, laid over bins of cross-section. docs/physics/receiver.md, Eq. (3).
 ///

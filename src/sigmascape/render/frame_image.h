@@ -1,18 +1,12 @@
 #pragma once
 
-#include <cstddef>
-#include <functional>
-
-#include "sigmascape/base/vec.h"
-#include "sigmascape/radar/channels.h"
 #include "sigmascape/radar/radar.h"
 #include "sigmascape/radar/range_azimuth_image.h"
+#include "sigmascape/render/frame_power.h"
+#include "sigmascape/render/ground_height.h"
 #include "sigmascape/render/live_renderer.h"
 
 namespace sigmascape::render {
-
-/// The power of one bin of a frame, beam · ranges + range: of amplitudes their squares.
-[[nodiscard]] radar::Channels power_of_bin(const Frame& frame, std::size_t bin);
 
 /// A frame as the image that pictures, scopes and ground maps are made from: powers as they are, of amplitudes their
 /// squares. `pose` is the frame's.
@@ -36,9 +30,6 @@ namespace sigmascape::render {
 /// a hundredth from the frame's, and for an antenna that tells elevations apart: bins alone do not say how far below
 /// the radar their ground is.
 [[nodiscard]] radar::RangeAzimuthImage image_of(const Frame& frame, const Pose& pose, const radar::Radar& radar);
-
-/// Height of the ground at a place of the local frame, above mean sea level.
-using GroundHeight = std::function<double(Vec2d)>;
 
 /// The same for any antenna: each bin has its two-way gain in elevation, relative to its peak, towards the ground in
 /// the middle of the bin (docs/physics/receiver.md), over the frame's Earth (Frame::earth), and each target the one

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <span>
 
-#include "sigmascape/render/frame_image.h"
+#include "sigmascape/render/frame_power.h"
 
 namespace sigmascape::simulate {
 namespace {
