@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <atomic>
 #include <cstdint>
 #include <memory>
 #include <pybind11/pybind11.h>
@@ -35,7 +36,7 @@ struct DrawnLive {
   simulate::TargetGround ground;
   Drawer drawer;
   std::vector<radar::Target> targets;
-  std::uint64_t frames = 0;  ///< drawn so far; the bins hold the last
+  std::uint64_t newest = 0;  ///< number of the frame that the bins hold, among all of the process; 0: none yet
 
   void set_targets(const std::vector<radar::TargetSource>& given) {
     targets = simulate::all_targets(scene ? &scene->scene() : nullptr, given, frame, ground, seed);
@@ -67,10 +68,17 @@ inline render::LiveSettings settings_from(const std::string& content, std::size_
           .refraction = refraction};
 }
 
+/// From 1 on.
+inline std::uint64_t next_frame_number() {
+  static std::atomic<std::uint64_t> frames{0};
+  return ++frames;
+}
+
 /// What `draw` makes of the pose with the drawer behind `self`, for which others wait their turn. What `check` or the
 /// pose itself refuses leaves the bins to the last frame.
 template <typename Drawer, typename Check, typename Draw>
-HeldFrame drawn(const pybind11::object& self, const render::Pose& pose, const Check& check, const Draw& draw) {
+HeldFrame drawn(const pybind11::object& self, const render::Pose& pose, BeamStep step, const Check& check,
+                const Draw& draw) {
   const auto& held = self.cast<const Held<DrawnLive<Drawer>>&>();
   // A copy of what is told about the bins, taken before the next caller's frame is.
   HeldFrame frame = long_call([&] {
@@ -79,13 +87,15 @@ HeldFrame drawn(const pybind11::object& self, const render::Pose& pose, const Ch
       with_targets.targets = live.targets;
       check(live);
       render::check(with_targets, "live frame");
-      ++live.frames;
+      const std::uint64_t before = std::exchange(live.newest, next_frame_number());
       return HeldFrame{.frame = draw(live, with_targets),
                        .pose = pose,
                        .renderer = {},
                        .turns = &held.turns(),
-                       .number = live.frames,
-                       .newest = &live.frames,
+                       .number = live.newest,
+                       .before = before,
+                       .step = step,
+                       .newest = &live.newest,
                        .words = live.words,
                        .frequency_hz = live.frequency_hz};
     });
@@ -111,7 +121,8 @@ void bind_drawing(pybind11::class_<Held<DrawnLive<Drawer>>>& binding, const char
         return drawn<Drawer>(
             self,
             pose_from(position_m, first_azimuth_rad, first_range_m, velocity_mps, {time_s, dwell_number, pulse_number}),
-            [](const auto&) {}, [](auto& live, const render::Pose& pose) { return live.drawer.render(pose); });
+            BeamStep{}, [](const auto&) {},
+            [](auto& live, const render::Pose& pose) { return live.drawer.render(pose); });
       },
       position, by_keyword, azimuth, range, velocity, time, dwell, pulse, of_render);
   binding.def(
@@ -122,7 +133,7 @@ void bind_drawing(pybind11::class_<Held<DrawnLive<Drawer>>>& binding, const char
         return drawn<Drawer>(
             self,
             pose_from(position_m, first_azimuth_rad, first_range_m, velocity_mps, {time_s, dwell_number, pulse_number}),
-            [&](const auto& live) { render::check_step(first_beam, count, live.beams); },
+            BeamStep{first_beam, count}, [&](const auto& live) { render::check_step(first_beam, count, live.beams); },
             [&](auto& live, const render::Pose& pose) { return live.drawer.scan(pose, first_beam, count); });
       },
       position, by_keyword, azimuth, range, py::arg("first_beam"), py::arg("count"), velocity, time, dwell, pulse,

@@ -50,5 +50,6 @@ PYBIND11_MODULE(_native, module) {
   python::add_live(module);
   python::add_live_tracer(module);
   python::add_live_flight(module);
+  python::add_live_receiver(module);
   module.attr("__name__") = file_name;
 }

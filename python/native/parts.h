@@ -20,5 +20,6 @@ void add_curves(pybind11::module_& module);
 void add_live(pybind11::module_& module);
 void add_live_tracer(pybind11::module_& module);
 void add_live_flight(pybind11::module_& module);
+void add_live_receiver(pybind11::module_& module);
 
 }  // namespace sigmascape::python

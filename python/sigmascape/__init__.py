@@ -24,11 +24,11 @@
     sigmascape.make_dataset("spec.toml", "samples")            # labelled images by the thousand
 
 Scenes come from scene files, or are made up (Scene.simple, Scene.paper). LiveGround and LiveRenderer make radar frames for
-simulators as I/Q, LiveTracer those of small areas from the whole scene, LiveFlight whichever of the two a pose needs. The
-local frame has x east and y north in metres; heights are above mean sea level; azimuths count clockwise from the frame's
-north, which is true at its origin; maps are [row, column] with row 0 the northernmost; sigma0 is linear. Names say their
-unit. Long calls let other Python threads run and end on Ctrl-C. What cannot be used raises sigmascape.Error, which says
-why.
+simulators as I/Q, LiveTracer those of small areas from the whole scene, LiveFlight whichever of the two a pose needs;
+LiveReceiver says in watts what a radar hears of them. The local frame has x east and y north in metres; heights are above
+mean sea level; azimuths count clockwise from the frame's north, which is true at its origin; maps are [row, column] with
+row 0 the northernmost; sigma0 is linear. Names say their unit. Long calls let other Python threads run and end on Ctrl-C.
+What cannot be used raises sigmascape.Error, which says why.
 """
 
 from ._native import (
@@ -42,6 +42,7 @@ from ._native import (
     Layers,
     LiveFlight,
     LiveGround,
+    LiveReceiver,
     LiveRenderer,
     LiveTracer,
     PhaseHistory,
@@ -82,6 +83,7 @@ __all__ = [
     "Layers",
     "LiveFlight",
     "LiveGround",
+    "LiveReceiver",
     "LiveRenderer",
     "LiveTracer",
     "PhaseHistory",

@@ -1,9 +1,11 @@
 #include "sigmascape/c_interface/sigmascape.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstring>
 #include <exception>
+#include <limits>
 #include <map>
 #include <memory>
 #include <new>
@@ -15,9 +17,12 @@
 #include <vector>
 
 #include "sigmascape/base/error.h"
+#include "sigmascape/radar/radar_file.h"
 #include "sigmascape/radar/rcs_table.h"
 #include "sigmascape/radar/target.h"
+#include "sigmascape/render/kept_ground.h"
 #include "sigmascape/render/level_of_detail.h"
+#include "sigmascape/render/live_receiver.h"
 #include "sigmascape/render/live_renderer.h"
 #include "sigmascape/scene/scene_file.h"
 #include "sigmascape/simulate/live_flight.h"
@@ -25,10 +30,13 @@
 #include "sigmascape/simulate/placement.h"
 #include "sigmascape/trace/scene_geometry.h"
 
+using sigmascape::radar::Polarization;
 using sigmascape::radar::Target;
 using sigmascape::radar::Track;
 using sigmascape::render::FrameContent;
+using sigmascape::render::KeptGround;
 using sigmascape::render::LiveGround;
+using sigmascape::render::LiveReceiver;
 using sigmascape::render::LiveRenderer;
 using sigmascape::render::LiveSettings;
 using sigmascape::simulate::LiveFlight;
@@ -39,7 +47,7 @@ using sigmascape::simulate::LiveTraceSettings;
 // project, by which the library's name keeps programs from it that were built before.
 static_assert(sizeof(sigmascape_rectangle) == 32 && sizeof(sigmascape_settings) == 72 &&
               sizeof(sigmascape_tracing) == 24 && sizeof(sigmascape_pose) == 88 && sizeof(sigmascape_way_point) == 32 &&
-              sizeof(sigmascape_target) == 136 && sizeof(sigmascape_frame) == 120);
+              sizeof(sigmascape_target) == 136 && sizeof(sigmascape_frame) == 120 && sizeof(sigmascape_heard) == 80);
 
 struct sigmascape_ground {
   std::shared_ptr<LiveGround> ground;
@@ -56,6 +64,15 @@ struct TracedScene {
   sigmascape::trace::SceneGeometry geometry;
 };
 
+/// The frame that a renderer's bins hold, and how it came about.
+struct DrawnFrame {
+  sigmascape::render::Frame frame;
+  sigmascape::render::Pose pose;  // without its targets
+  std::size_t first_beam = 0, count = 0;
+  std::uint64_t number = 0;  ///< among all frames of the process, from 1 on; 0: none has been drawn
+  std::uint64_t before = 0;  ///< that of the frame of which it has the other beams
+};
+
 }  // namespace
 
 struct sigmascape_scene {
@@ -69,9 +86,17 @@ struct sigmascape_renderer {
   std::unique_ptr<LiveTracer> tracer = {};
   std::unique_ptr<LiveFlight> flight = {};
   std::vector<Target> targets = {};  ///< those of the scene, where there is one, then those that were set
+  DrawnFrame last = {};
+};
+
+struct sigmascape_receiver {
+  LiveReceiver receiver;
+  std::uint64_t heard = 0;  ///< number of the last frame that it has heard; 0: none
 };
 
 namespace {
+
+constexpr std::size_t everything = std::numeric_limits<std::size_t>::max();
 
 thread_local std::string last_error;
 
@@ -245,6 +270,62 @@ LiveSettings settings_from(const sigmascape_settings& wanted) {
   return settings;
 }
 
+Polarization polarization_from(const sigmascape_polarization& wanted) {
+  std::underlying_type_t<sigmascape_polarization> polarization{};
+  std::memcpy(&polarization, &wanted, sizeof polarization);
+  switch (polarization) {
+    case SIGMASCAPE_VV:
+      return Polarization::VV;
+    case SIGMASCAPE_HH:
+      return Polarization::HH;
+    case SIGMASCAPE_HV:
+      return Polarization::HV;
+    case SIGMASCAPE_VH:
+      return Polarization::VH;
+  }
+  throw sigmascape::Error("polarization", "is number " + std::to_string(polarization),
+                          "take SIGMASCAPE_VV, SIGMASCAPE_HH, SIGMASCAPE_HV or SIGMASCAPE_VH");
+}
+
+/// That of an atlas, of a scene, or none.
+KeptGround ground_from(const sigmascape_ground* ground, const sigmascape_scene* scene) {
+  if (ground != nullptr) return ground->ground;
+  if (scene == nullptr) return {};
+  return sigmascape::render::GroundHeight(
+      [traced = scene->scene](sigmascape::Vec2d place) { return traced->scene.terrain.height_at(place); });
+}
+
+/// Draws with whichever drawer the renderer has, and remembers what was drawn.
+template <typename Draw>
+const sigmascape::render::Frame& drawn(sigmascape_renderer& renderer, const sigmascape::render::Pose& pose,
+                                       std::size_t first_beam, std::size_t count, Draw draw) {
+  static std::atomic<std::uint64_t> frames{0};
+  DrawnFrame& last = renderer.last;
+  last.frame = renderer.flight   ? draw(*renderer.flight)
+               : renderer.tracer ? draw(*renderer.tracer)
+                                 : draw(*renderer.renderer);
+  last.pose = pose;
+  last.pose.targets = {};
+  last.first_beam = first_beam;
+  last.count = count;
+  last.before = last.number;
+  last.number = ++frames;
+  return last.frame;
+}
+
+void copy(const sigmascape::render::HeardPower& from, sigmascape_heard& to) {
+  to.beams = from.grid.azimuths;
+  to.ranges = from.grid.ranges;
+  to.signal_w = from.signal_w.data();
+  to.noise_w = from.noise_w;
+  to.first_changed = from.first_changed;
+  to.changed = from.changed;
+  to.first_azimuth_rad = from.grid.first_azimuth_rad;
+  to.beam_step_rad = from.grid.azimuth_step_rad;
+  to.first_range_m = from.grid.first_range_m;
+  to.range_step_m = from.grid.range_step_m;
+}
+
 LiveTraceSettings tracing_from(const sigmascape_tracing& wanted) {
   LiveTraceSettings tracing;
   tracing_shared_with_cpp(tracing) = tracing_shared_with_cpp(wanted);
@@ -416,9 +497,8 @@ int sigmascape_render(sigmascape_renderer* renderer, const sigmascape_pose* pose
     (void)given(renderer, "renderer");
     (void)given(frame, "frame");
     const auto wanted = pose_from(given(pose, "pose"), *renderer);
-    copy(renderer->flight   ? renderer->flight->render(wanted)
-         : renderer->tracer ? renderer->tracer->render(wanted)
-                            : renderer->renderer->render(wanted),
+    copy(drawn(*renderer, wanted, 0, everything,
+               [&](auto& drawer) -> const sigmascape::render::Frame& { return drawer.render(wanted); }),
          *frame);
     return 0;
   });
@@ -430,10 +510,41 @@ int sigmascape_scan(sigmascape_renderer* renderer, const sigmascape_pose* pose, 
     (void)given(renderer, "renderer");
     (void)given(frame, "frame");
     const auto wanted = pose_from(given(pose, "pose"), *renderer);
-    copy(renderer->flight   ? renderer->flight->scan(wanted, first_beam, count)
-         : renderer->tracer ? renderer->tracer->scan(wanted, first_beam, count)
-                            : renderer->renderer->scan(wanted, first_beam, count),
-         *frame);
+    copy(
+        drawn(*renderer, wanted, first_beam, count,
+              [&](auto& drawer) -> const sigmascape::render::Frame& { return drawer.scan(wanted, first_beam, count); }),
+        *frame);
+    return 0;
+  });
+}
+
+sigmascape_receiver* sigmascape_make_receiver(const char* radar_file, enum sigmascape_polarization polarization,
+                                              sigmascape_ground* ground, sigmascape_scene* scene, unsigned threads) {
+  return guarded<sigmascape_receiver*>(nullptr, [&] {
+    (void)given(radar_file, "radar_file");
+    const auto read = sigmascape::radar::read_radar_file(radar_file, sigmascape::radar::PlaceOfRadar::Optional);
+    return new sigmascape_receiver{
+        .receiver = {read.radar, polarization_from(polarization), ground_from(ground, scene), threads}};
+  });
+}
+
+void sigmascape_free_receiver(sigmascape_receiver* receiver) {
+  delete receiver;
+}
+
+int sigmascape_hear(sigmascape_receiver* receiver, const sigmascape_renderer* renderer, sigmascape_heard* heard) {
+  return guarded(1, [&] {
+    (void)given(receiver, "receiver");
+    (void)given(heard, "heard");
+    const DrawnFrame& last = given(renderer, "renderer").last;
+    if (last.number == 0)
+      throw sigmascape::Error("renderer", "has drawn nothing yet", "call sigmascape_render or sigmascape_scan first");
+    const bool is_next = receiver->heard != 0 && receiver->heard == last.before;
+    receiver->heard = 0;
+    copy(is_next ? receiver->receiver.hear(last.frame, last.pose, last.first_beam, last.count)
+                 : receiver->receiver.hear(last.frame, last.pose),
+         *heard);
+    receiver->heard = last.number;
     return 0;
   });
 }

@@ -189,6 +189,40 @@ int sigmascape_render(sigmascape_renderer* renderer, const sigmascape_pose* pose
 int sigmascape_scan(sigmascape_renderer* renderer, const sigmascape_pose* pose, size_t first_beam, size_t count,
                     sigmascape_frame* frame);
 
+enum sigmascape_polarization { SIGMASCAPE_VV = 0, SIGMASCAPE_HH = 1, SIGMASCAPE_HV = 2, SIGMASCAPE_VH = 3 };
+
+/* A radar that hears live frames: one for each that frames are heard with, in each polarization. */
+typedef struct sigmascape_receiver sigmascape_receiver;
+
+/* Of a radar file (docs/radar_file.md), of whose place and mode nothing is taken but the scan. The ground that bins lie
+ * on says from how far below the radar they answer: that of `ground`, or of `scene`, whichever is not null, the former
+ * of both. For an antenna that is even in elevation both may be null. `threads`: 0: one a hardware thread; has no
+ * effect on the result. Ground and scene are kept. Null when the file cannot be read, or when the antenna tells
+ * elevations apart and there is no ground. */
+sigmascape_receiver* sigmascape_make_receiver(const char* radar_file, enum sigmascape_polarization polarization,
+                                              sigmascape_ground* ground, sigmascape_scene* scene, unsigned threads);
+/* Null is allowed. */
+void sigmascape_free_receiver(sigmascape_receiver* receiver);
+
+typedef struct sigmascape_heard {
+  size_t beams, ranges;
+  const float* signal_w; /* [beam][range], as the bins of frames: mean power at the antenna's terminals of a compressed
+                            pulse with the beam's axis in the bin's middle, W; not a number in ranges outside the gate
+                            and in azimuths that the scan never comes to */
+  double noise_w;        /* mean noise beside it, k T0 B F, the same in every bin */
+  size_t first_changed, changed; /* beams that this call made anew, `changed` of them from `first_changed` on; behind
+                                    the last beam comes the first one */
+  double first_azimuth_rad, beam_step_rad; /* left edge of beam 0, and from beam to beam */
+  double first_range_m, range_step_m;      /* near edge of range bin 0, and from bin to bin */
+} sigmascape_heard;
+
+/* What a radar hears of the renderer's last frame, targets and all, from where it was drawn. After sigmascape_scan only
+ * what its step changes is made anew, some beams to either side of it among it, if the receiver has heard the
+ * renderer's frame before that; else all beams are. The array lives until the next call with this receiver, and the
+ * renderer is not to draw meanwhile. Returns 0 when all went well, and otherwise leaves `heard`: for a renderer that
+ * has drawn nothing yet, and for a radar whose frequency is more than 1 % from that of the frame. */
+int sigmascape_hear(sigmascape_receiver* receiver, const sigmascape_renderer* renderer, sigmascape_heard* heard);
+
 #ifdef __cplusplus
 }
 #endif

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <utility>
+
+#include "sigmascape/base/vec.h"
+#include "sigmascape/radar/ground_grid.h"
+#include "sigmascape/radar/range_azimuth_image.h"
+#include "sigmascape/render/ground_height.h"
+#include "sigmascape/render/live_ground.h"
+#include "sigmascape/terrain/terrain_view.h"
+#include "sigmascape/terrain/terrain_window.h"
+
+namespace sigmascape::render {
+
+/// Heights of the ground below live frames, kept from one to the next.
+///
+/// Of a LiveGround a window of its terrain is kept that is larger than what a frame looks at by a quarter of its
+/// farthest range on every side, so that a flight needs another only after that. Its nodes are those of one level of
+/// the terrain, which follows from the bins alone: the coarsest whose nodes stand at most two range bins apart, or at
+/// most two 2044ths of the square about a turn of such a window. A place has the same height in every window, whatever
+/// has been kept: nothing is wrong by being kept.
+class KeptGround {
+ public:
+  /// None: for antennas that do not ask.
+  KeptGround() = default;
+  KeptGround(std::shared_ptr<LiveGround> ground) : ground_(std::move(ground)) {}  // NOLINT: stands for it
+  KeptGround(GroundHeight height_m) : height_m_(std::move(height_m)) {}           // NOLINT: stands for it
+
+  [[nodiscard]] bool is_known() const { return ground_ != nullptr || height_m_; }
+  /// Makes sure of the ground below all bins of a grid seen from a place. Reads tiles where it has to take another
+  /// window.
+  void cover(const radar::RangeAzimuthGrid& grid, Vec2d radar);
+  /// Windows that have been taken.
+  [[nodiscard]] std::uint64_t windows() const { return windows_; }
+
+  /// Calls `use` with a function of a place that gives the height of the ground there.
+  template <typename Use>
+  void with_height(Use&& use) const {
+    if (ground_ != nullptr) {
+      use([this](Vec2d place) { return terrain::height_at(view_, place); });
+    } else {
+      use(height_m_);
+    }
+  }
+
+ private:
+  std::shared_ptr<LiveGround> ground_;
+  GroundHeight height_m_;
+  std::shared_ptr<const terrain::TerrainWindow> window_;
+  terrain::TerrainView view_;
+  radar::Rectangle covered_{};
+  double node_m_ = 0.0;  // that was asked for
+  std::uint64_t windows_ = 0;
+};
+
+}  // namespace sigmascape::render
