@@ -13,6 +13,7 @@
 #include "figures.h"
 #include "floors.h"
 #include "frame_cost.h"
+#include "hearing_cost.h"
 #include "made_ground.h"
 #include "paper_frame.h"
 #include "turning_scan.h"
@@ -300,6 +301,33 @@ void measure_frames(const atlas::Store& store, const Arguments& arguments, int r
                           large.report.cells, small.report.cells, large.median_wall / small.median_wall));
 }
 
+/// What a radar that tells every other bin from the next hears of a frame over hills.
+void measure_hearing(const atlas::Store& store, int repetitions, Figures& figures) {
+  const View near{.south_middle = {100e3 + 24.0, 100e3}};
+  const LiveSettings settings = near.settings(FrameContent::Powers);
+  radar::Radar radar;
+  radar.frequency_hz = frequency_hz;
+  radar.range_resolution_m = 2.0 * settings.range_step_m;
+  radar.beam_width_rad = 2.0 * settings.beam_step_rad;
+  radar.waveform.pulse_length_s = 1e-6;
+  radar::Radar narrow = radar;
+  narrow.antenna.elevation = radar::GaussianBeam{};
+  narrow.antenna.elevation_width_rad = radians_from_deg(6.0);
+  narrow.antenna.tilt_rad = radians_from_deg(-16.0);
+  const auto ground = rolling_ground(store, budget_bytes);
+  for (const bool is_even : {true, false}) {
+    const HearingCost cost = hearing_cost(ground, is_even ? radar : narrow, settings, near.pose(), repetitions);
+    const std::string kind = is_even ? "even" : "narrow";
+    figures.add(fmt::format("render.hear_{}_step_ms", kind), 1e3 * cost.moved_step, "ms",
+                fmt::format("8 of 512 beams after a metre of way; {:.3f} without", 1e3 * cost.step));
+    figures.add(fmt::format("render.hear_{}_frame_ms", kind), 1e3 * cost.moved_frame, "ms",
+                fmt::format("all beams after a metre of way; {:.2f} without, {:.0f} the first time", 1e3 * cost.frame,
+                            1e3 * cost.first));
+    figures.add(fmt::format("render.hear_{}_image_ms", kind), 1e3 * cost.image, "ms",
+                "the same by image_of and received_power");
+  }
+}
+
 /// An antenna that goes round over hills, from an empty cache.
 void measure_scan(const atlas::Store& store, bool quick, Figures& figures) {
   const TurningScan scan = turning_scan(rolling_ground(store, budget_bytes), quick ? 5.0 : 60.0);
@@ -322,6 +350,8 @@ void measure(const Arguments& arguments, Figures& figures) {
   // Patches of 2 km: 262 km a side, of which the store holds one patch and one tile of each coarser level.
   const atlas::Store store = made_store(scratch.folder() / "whole", 128);
   measure_frames(store, arguments, repetitions, figures);
+  give_back_memory();
+  measure_hearing(store, repetitions, figures);
   give_back_memory();
   measure_scan(store, arguments.quick, figures);
   give_back_memory();

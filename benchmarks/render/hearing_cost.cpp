@@ -1,0 +1,69 @@
+#include "hearing_cost.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "figures.h"
+#include "frame_cost.h"
+
+#include "sigmascape/receiver/receive_chain.h"
+#include "sigmascape/render/frame_image.h"
+#include "sigmascape/render/live_receiver.h"
+
+namespace sigmascape::bench {
+namespace {
+
+constexpr auto polarization = radar::Polarization::VV;
+constexpr std::size_t beams_a_step = 8;
+
+/// Lowers `least` to what `work` takes.
+template <typename Work>
+void take_least(double& least, Work&& work) {
+  const double start = processor_seconds();
+  work();
+  least = std::min(least, processor_seconds() - start);
+}
+
+void prove_alike(const render::HeardPower& heard, const receiver::ReceivedPower& expected) {
+  double difference = 0.0, sum = 0.0;
+  for (std::size_t beam = 0; beam < heard.grid.azimuths; ++beam) {
+    for (std::size_t range = 0; range < heard.grid.ranges; ++range) {
+      const auto here = static_cast<double>(heard.signal_w[beam * heard.grid.ranges + range]);
+      const auto there = static_cast<double>(expected.signal_w(beam, range));
+      difference += std::abs(here - there);
+      sum += there;
+    }
+  }
+  prove(sum > 0.0 && difference < 1e-3 * sum, "watts heard live are those of the whole image");
+}
+
+}  // namespace
+
+HearingCost hearing_cost(const std::shared_ptr<render::LiveGround>& ground, const radar::Radar& radar,
+                         const render::LiveSettings& settings, const render::Pose& pose, int repetitions) {
+  render::LiveRenderer renderer(ground, settings);
+  const render::Frame& frame = settled(renderer, *ground, pose);
+  const render::GroundHeight below = render::ground_below(frame, pose, *ground);
+  HearingCost cost;
+  receiver::ReceivedPower expected;
+  for (int run = 0; run < repetitions; ++run) {
+    take_least(cost.image, [&] {
+      expected = receiver::received_power(radar, render::image_of(frame, pose, radar, below), polarization);
+    });
+  }
+  render::LiveReceiver receiver(radar, polarization, ground, 1);
+  cost.first = 1e30;
+  take_least(cost.first, [&] { receiver.hear(frame, pose); });
+  prove_alike(receiver.hear(frame, pose), expected);
+  render::Pose moved = pose;
+  for (int run = 0; run < repetitions; ++run) {
+    take_least(cost.frame, [&] { receiver.hear(frame, moved); });
+    take_least(cost.step, [&] { receiver.hear(frame, moved, beams_a_step, beams_a_step); });
+    moved.position.x += 1.0;
+    take_least(cost.moved_step, [&] { receiver.hear(frame, moved, beams_a_step, beams_a_step); });
+    take_least(cost.moved_frame, [&] { receiver.hear(frame, moved); });
+  }
+  return cost;
+}
+
+}  // namespace sigmascape::bench
