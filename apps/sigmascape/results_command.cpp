@@ -6,6 +6,7 @@
 #include <system_error>
 
 #include "command.h"
+#include "number_within.h"
 #include "results/command_line.h"
 #include "results/figures.h"
 #include "results/measurement.h"
@@ -117,7 +118,9 @@ void add_results_command(Command app, Output& output) {
   command.add_option("--finer-samples", options->finer_samples,
                      "rays of views that were baked: a cell of their traced maps, and a texel of their looks when "
                      "those are baked again almost without noise");
-  command.add_option("--bounces", options->bounces, "surfaces a path may meet").capture_default_str();
+  command.add_option("--bounces", options->bounces, "surfaces a path may meet")
+      .capture_default_str()
+      .check(count_within(1, 64));
   add_seed_option(command, options->seed, "names the random numbers and draws the held-out views");
   add_threads_option(command, options->threads);
   command.add_flag("--json", output.json, "print the numbers as JSON");

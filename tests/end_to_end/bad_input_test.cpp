@@ -133,6 +133,7 @@ TEST_F(BadInput, WhatAMapCannotBeIsRefusedBeforeItIsTraced) {
               HasSubstr("class, height; at level of detail 0 there are bounce1 to bounce9 and multibounce too"));
   EXPECT_THAT(said_of("--layers shadow --layers-out layers.png"), HasSubstr("layers.png: would not be known for"));
   EXPECT_THAT(said_to("results --small --finer-samples 1 --out results"), HasSubstr("--finer-samples: is 1"));
+  EXPECT_THAT(said_to("results --small --bounces 300 --out results"), HasSubstr("--bounces: is 300; give a whole"));
   EXPECT_THAT(said_to("results --small --measured none.json --out results"), HasSubstr("none.json: cannot be read"));
   EXPECT_THAT(said_to("results --small --out radar.toml"),
               HasSubstr("radar.toml/results.json: cannot be written (Not a directory); choose a folder"));
@@ -145,6 +146,17 @@ TEST_F(BadInput, EmptyNamesAreNotTheFolderOneStandsIn) {
   EXPECT_THAT(said_to("bake none.toml --out="), StartsWith("--out: is empty"));
   EXPECT_THAT(said_to("atlas info ''"), StartsWith("word 3 of the command line: is empty"));
   EXPECT_THAT(said_to("bake none.toml --out atlas"), StartsWith("sigmascape: none.toml"));
+}
+
+TEST_F(BadInput, ListsHaveNothingBetweenTwoCommas) {
+  for (const char* list : {"10,,20", ",10", "10,", ","}) {
+    const std::string told = fmt::format("has an empty item in {}; put one comma between two", list);
+    EXPECT_THAT(said_to(fmt::format("bake none.toml --out atlas --elevations-deg {}", list)),
+                StartsWith("--elevations-deg: " + told));
+    EXPECT_THAT(said_to(fmt::format("bake none.toml --out atlas --frequencies-ghz={}", list)),
+                StartsWith("--frequencies-ghz: " + told));
+    EXPECT_THAT(said_to(fmt::format("compare a.tif b.tif --cells-m {}", list)), StartsWith("--cells-m: " + told));
+  }
 }
 
 TEST_F(BadInput, WhatCannotBePrintedIsNotLostWithoutAWord) {
@@ -353,6 +365,10 @@ TEST_F(BadInput, RadarsBeyondTheHorizonOfEverythingAreRefused) {
 
 TEST_F(BadInput, FoldersAndAbsentFilesAreNamed) {
   EXPECT_THAT(said_to("render . --scene none.toml"), HasSubstr("is a folder; give the path of a TOML file"));
+  for (const char* device : {"/dev/null", "/dev/zero"}) {
+    EXPECT_THAT(said_to(fmt::format("scene info {}", device)),
+                HasSubstr(fmt::format("{}: is no regular file, but a pipe or a device; give the path of", device)));
+  }
   EXPECT_THAT(said_to("plot histogram none.tif --out plot.svg"), HasSubstr("none.tif: the file does not exist"));
   EXPECT_THAT(
       said_to("plot histogram pulses.h5 --out plot.svg"),

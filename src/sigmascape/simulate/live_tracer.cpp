@@ -29,9 +29,14 @@ namespace {
 
 constexpr const char* name = "live tracer";
 constexpr int coarsest_lattice_level = 23;
-/// Times as many cells as may be traced are rays aimed at, at most: what the list of them takes is less than what is
-/// kept of those that are traced.
+/// Times as many cells as may be traced are rays aimed at, at most: what is kept of the list of them is no more than
+/// what amplitudes keep of those that are traced, and up to three times that while it grows.
 constexpr double most_aimed_per_traced = 4.0;
+/// Of the ground of no bin.
+bool is_empty(const radar::Rectangle& area) {
+  return !(area.east_m > area.west_m && area.north_m > area.south_m);
+}
+
 /// From the edge of a beam echoes have a share in the next.
 constexpr double half_a_beam = 0.5;
 
@@ -45,10 +50,10 @@ const LiveTraceSettings& checked(const LiveTraceSettings& tracing, const trace::
     throw Error(name, "is to trace objects on a level plane, as bakes do", "make the geometry with Footing::Terrain");
   }
   constexpr std::uint32_t most_rays = 1U << 16U;  // a frame of a day
-  if (tracing.rays_per_cell == 0 || tracing.rays_per_cell > most_rays || tracing.max_bounces < 1) {
-    throw Error(name, fmt::format("has {} rays a cell and {} bounces", tracing.rays_per_cell, tracing.max_bounces),
-                fmt::format("give 1 to {} rays and one bounce or more", most_rays));
+  if (tracing.rays_per_cell == 0 || tracing.rays_per_cell > most_rays) {
+    throw Error(name, fmt::format("has {} rays a cell", tracing.rays_per_cell), fmt::format("give 1 to {}", most_rays));
   }
+  trace::check_bounces(tracing.max_bounces, name);
   if (!(tracing.most_cells >= 1.0)) {
     throw Error(name, fmt::format("may trace {} cells at a time", tracing.most_cells), "allow one or more");
   }
@@ -101,9 +106,10 @@ LiveTracer::~LiveTracer() = default;
 bool LiveTracer::can_trace(const render::Pose& pose) const {
   render::check(pose, name);
   const Look look = look_of(pose);
-  if (look.ground.is_empty()) return true;
-  return stands_above(look.radar.z, geometry_.highest_m()) && cells_in(look.ground.area, look) <= tracing_.most_cells &&
-         cells_aimed_at(look) <= most_aimed_per_traced * tracing_.most_cells;
+  if (is_empty(look.ground)) return true;
+  const radar::Rectangle traced = ground_traced(look, pose, {0, settings_.beams});
+  return stands_above(look.radar.z, geometry_.highest_m()) && cells_in(traced, look) <= tracing_.most_cells &&
+         cells_aimed_at(traced, look) <= most_aimed_per_traced * tracing_.most_cells;
 }
 
 const render::Frame& LiveTracer::render(const render::Pose& pose) {
@@ -135,22 +141,23 @@ const render::Frame& LiveTracer::scan(const render::Pose& pose, std::size_t firs
 void LiveTracer::begin(const render::Pose& pose) {
   steps_.clear();
   frame_.grid = grid_of(settings_, pose);
-  if (settings_.content == render::FrameContent::Amplitudes) {
+  if (keeps_cells()) {
     frame_.amplitudes_m = {reinterpret_cast<const std::complex<float>*>(bins_.data()), bins_.size() / 2};
   } else {
     frame_.powers_m2 = bins_;
   }
   look_ = look_of(pose);
   lattice_level_ = lattice_level(look_);
-  if (look_.ground.is_empty()) return;
-  if (const double cells = cells_in(look_.ground.area, look_); cells > tracing_.most_cells) {
+  if (is_empty(look_.ground)) return;
+  const radar::Rectangle traced = ground_traced(look_, pose, {0, settings_.beams});
+  if (const double cells = cells_in(traced, look_); cells > tracing_.most_cells) {
     throw Error(name, fmt::format("is to trace {:.2g} cells of {:.3g} m", cells, lattice_cell_m(look_)),
                 fmt::format("look at less ground or take wider bins, for at most {:.2g}; a wide area is for "
                             "render::LiveRenderer",
                             tracing_.most_cells));
   }
   if (!stands_above(look_.radar.z, geometry_.highest_m())) return;  // which is told where rays are to start
-  if (const double cells = cells_aimed_at(look_); cells > most_aimed_per_traced * tracing_.most_cells) {
+  if (const double cells = cells_aimed_at(traced, look_); cells > most_aimed_per_traced * tracing_.most_cells) {
     throw Error(
         name,
         fmt::format("is to aim rays at {:.2g} cells of {:.3g} m from {:.3g} m above the highest point of the "
@@ -163,7 +170,7 @@ void LiveTracer::begin(const render::Pose& pose) {
 }
 
 TracedGround* LiveTracer::ground_of(const render::Pose& pose, Beams beams) {
-  if (beams.count == 0 || look_.ground.is_empty()) return nullptr;
+  if (beams.count == 0 || is_empty(look_.ground)) return nullptr;
   if (const auto same = std::ranges::find(steps_, beams, &Step::beams); same != steps_.end()) return same->ground.get();
   std::erase_if(steps_, [&](const Step& step) { return step.beams.overlap(beams); });
   std::unique_ptr<TracedGround> ground = made_ground(pose, beams);
@@ -178,10 +185,8 @@ TracedGround* LiveTracer::ground_of(const render::Pose& pose, Beams beams) {
 }
 
 std::unique_ptr<TracedGround> LiveTracer::made_ground(const render::Pose& pose, Beams beams) const {
-  const bool with_cells = settings_.content == render::FrameContent::Amplitudes;
-  const double rim_beams = half_a_beam + (with_cells ? widest_cell_beams() : 0.0);
-  const Footprint ground = footprint(look_, pose, beams, rim_beams);
-  if (ground.is_empty()) return nullptr;
+  const radar::Rectangle area = ground_traced(look_, pose, beams);
+  if (is_empty(area)) return nullptr;
   return std::make_unique<TracedGround>(TracedView{.scene = scene_,
                                                    .geometry = geometry_,
                                                    .surfaces = surfaces_,
@@ -189,21 +194,20 @@ std::unique_ptr<TracedGround> LiveTracer::made_ground(const render::Pose& pose, 
                                                    .bins = frame_.grid,
                                                    .first_beam = beams.first,
                                                    .beams = beams.count,
-                                                   .rim_beams = rim_beams,
-                                                   .area = ground.area,
-                                                   .landing = ground.landing,
+                                                   .rim_beams = rim_beams(look_, pose),
+                                                   .area = area,
                                                    .cell_m = lattice_cell_m(look_),
                                                    .max_bounces = tracing_.max_bounces,
                                                    .seed = settings_.seed,
                                                    .threads = settings_.threads,
-                                                   .with_cells = with_cells});
+                                                   .with_cells = keeps_cells()});
 }
 
 LiveTracer::Look LiveTracer::look_of(const render::Pose& pose) const {
   const Look straight_on = look_from(pose.position, pose);
-  if (straight_on.ground.is_empty()) return straight_on;
+  if (is_empty(straight_on.ground)) return straight_on;
   const radar::CurvedEarth earth{.refraction = settings_.refraction};
-  return look_from(earth.bent(pose.position, straight_on.ground.area.centre()), pose);
+  return look_from(earth.bent(pose.position, straight_on.ground.centre()), pose);
 }
 
 LiveTracer::Look LiveTracer::look_from(Vec3d radar, const render::Pose& pose) const {
@@ -217,12 +221,12 @@ LiveTracer::Look LiveTracer::look_from(Vec3d radar, const render::Pose& pose) co
             .far_m = far_m,
             .halfway_up = render::frame_reach(settings_, from, middle_m, middle_m, straight),
             .ground = {}};
-  look.ground = footprint(look, pose, {0, settings_.beams}, half_a_beam);
+  look.ground = ground_under(look, pose, {0, settings_.beams}, half_a_beam);
   return look;
 }
 
-LiveTracer::Footprint LiveTracer::footprint(const Look& look, const render::Pose& pose, Beams beams,
-                                            double rim_beams) const {
+radar::Rectangle LiveTracer::ground_under(const Look& look, const render::Pose& pose, Beams beams,
+                                          double rim_beams) const {
   const auto first = static_cast<double>(beams.first), count = static_cast<double>(beams.count);
   // Echoes are shared with bins half a bin away.
   const double rim_m = settings_.range_step_m;
@@ -230,11 +234,19 @@ LiveTracer::Footprint LiveTracer::footprint(const Look& look, const render::Pose
       {look.radar.x, look.radar.y}, pose.first_azimuth_rad + (first - rim_beams) * settings_.beam_step_rad,
       std::min((count + 2.0 * rim_beams) * settings_.beam_step_rad, 2.0 * pi),
       {std::max(look.near_m - rim_m, 0.0), look.far_m + rim_m});
-  const double layover_m =
-      (geometry_.highest_m() - lowest_m_) * std::max(look.radar.z - lowest_m_, 0.0) / std::max(look.near_m, rim_m);
-  const radar::Rectangle area = radar::common_part(under_bins, scene_.extent);
-  const double late_m = trace::late_by_m(tallest_m_, trace::Viewpoint::located(look.radar), area, scene_.terrain);
-  return {.area = area, .landing = radar::common_part(under_bins, radar::widened(scene_.extent, late_m + layover_m))};
+  return radar::common_part(under_bins, scene_.extent);
+}
+
+radar::Rectangle LiveTracer::ground_traced(const Look& look, const render::Pose& pose, Beams beams) const {
+  return ground_under(look, pose, beams, rim_beams(look, pose));
+}
+
+bool LiveTracer::keeps_cells() const {
+  return settings_.content == render::FrameContent::Amplitudes;
+}
+
+double LiveTracer::rim_beams(const Look& look, const render::Pose& pose) const {
+  return half_a_beam + (keeps_cells() ? widest_cell_beams(look, pose) : 0.0);
 }
 
 double LiveTracer::lattice_cell_m(const Look& look) const {
@@ -246,19 +258,17 @@ double LiveTracer::cells_in(const radar::Rectangle& area, const Look& look) cons
   return area.width_m() * area.height_m() / (cell_m * cell_m);
 }
 
-double LiveTracer::cells_aimed_at(const Look& look) const {
+double LiveTracer::cells_aimed_at(const radar::Rectangle& area, const Look& look) const {
   const auto viewpoint = trace::Viewpoint::located(look.radar);
-  const radar::Rectangle& area = look.ground.area;
   const double late_m = trace::late_by_m(tallest_m_, viewpoint, area, scene_.terrain);
   return aimed_cells(scene_, geometry_, viewpoint, area, lattice_cell_m(look), trace::reach_of_late(late_m, occupied_),
                      most_aimed_per_traced * tracing_.most_cells);
 }
 
-double LiveTracer::widest_cell_beams() const {
-  const double nearest_m =
-      radar::distance_of_range_m(radar::CurvedEarth::flat(), look_.radar.z, lowest_m_,
-                                 std::max(frame_.grid.first_range_m - 0.5 * settings_.range_step_m, 0.0));
-  const double widest = std::numbers::sqrt2 * lattice_cell_m(look_) / (nearest_m * settings_.beam_step_rad);
+double LiveTracer::widest_cell_beams(const Look& look, const render::Pose& pose) const {
+  const double nearest_m = radar::distance_of_range_m(radar::CurvedEarth::flat(), look.radar.z, lowest_m_,
+                                                      std::max(pose.first_range_m - 0.5 * settings_.range_step_m, 0.0));
+  const double widest = std::numbers::sqrt2 * lattice_cell_m(look) / (nearest_m * settings_.beam_step_rad);
   // Below the radar a cell lies in all of them.
   return std::min(widest, static_cast<double>(settings_.beams));
 }
@@ -285,8 +295,8 @@ render::DetailQuestion LiveTracer::question(const render::Pose& pose) const {
   question.tallest_object_m = tallest_m_;
   const double sector_m2 = 0.5 * (look.far_m * look.far_m - look.near_m * look.near_m) *
                            static_cast<double>(settings_.beams) * settings_.beam_step_rad;
-  const radar::Rectangle& area = look.ground.area;
-  question.area_m2 = look.ground.is_empty() ? 0.0 : std::min(sector_m2, area.width_m() * area.height_m());
+  const radar::Rectangle& area = look.ground;
+  question.area_m2 = is_empty(area) ? 0.0 : std::min(sector_m2, area.width_m() * area.height_m());
   question.terrain_spacing_m = scene_.terrain.spacing_m;
   question.triangles_per_m2 = triangles_per_m2_;
   return question;
@@ -298,7 +308,7 @@ void LiveTracer::show_ground(const render::Pose& pose, const TracedGround& groun
   frame_.report.lit = ground.answering();
   frame_.report.rays_per_cell = sums.passes() * rays_a_pass;
   frame_.report.median_error_db = sums.median_error_db();
-  if (settings_.content == render::FrameContent::Amplitudes) {
+  if (keeps_cells()) {
     add_scatterers(ground,
                    {.lattice = lattice_,
                     .level = lattice_level(look_),

@@ -22,14 +22,18 @@ struct LiveTraceSettings {
   double frequency_hz = 10e9;
   /// Rays a lattice cell that each call of `render` or `scan` adds, in whole passes of two.
   std::uint32_t rays_per_cell = 8;
-  int max_bounces = 8;
+  int max_bounces = 8;  ///< 1 to trace::most_bounces
   /// Side of the finest lattice cells, doubled for a frame until its bins tell cells apart no more (cells_per_bin).
   /// After wider bins finer cells wait until they are right by a quarter of a doubling, for all scatterers change then.
   /// With the texel of an atlas a frame's cells are those of render::LiveRenderer over it and hold the same scatterers.
   /// Bins finer than the finest cells share scatterers.
   double lattice_m = 0.25;
   /// Lattice cells of ground that are traced at a time, at most: a frame that needs more is refused, of the steps of a
-  /// scan the oldest are forgotten. With what is kept of each, this many take close to a gigabyte.
+  /// scan the oldest are forgotten. Of each 13 bytes are kept, and for amplitudes 48 more: this many take a fifth of a
+  /// gigabyte, or one. Amplitudes take 48 bytes as well for each cell beside the scene, under the bins, that an echo
+  /// lands on: next to none seen flatly, several hundred metres all round where a radar looks straight down on tall
+  /// things. While rays are laid out past the highest point so flatly that four times as many are aimed at, it may be
+  /// two gigabytes more.
   double most_cells = 0x1p24;
 };
 
@@ -51,8 +55,9 @@ struct LiveTraceSettings {
 /// of the scene answer where the pose names them (`targets_of`), like all others, wherever the scene does not hide
 /// them.
 ///
-/// Scene and geometry, on its terrain, must outlive the tracer. For one caller at a time. Cost goes with the ground
-/// that the bins look at, whatever their number.
+/// Scene and geometry, on its terrain, must outlive the tracer. For one caller at a time. Time goes with the ground
+/// that the bins look at, whatever their number; memory with both (LiveTraceSettings::most_cells): a bin of power takes
+/// 108 bytes, one of amplitudes 124.
 class LiveTracer {
  public:
   /// Throws Error for settings from which no frame can come. `settings.visibility` has no say.
@@ -62,7 +67,8 @@ class LiveTracer {
 
   /// Whether the radar stands above all of the scene and its bins look at no more ground than may be traced at a time,
   /// nor so flatly past the highest point that rays would have to be aimed at several times as much behind it; always
-  /// where they look at none. Throws Error for a pose that is nowhere.
+  /// where they look at none. With speckle the ground of cells counts that reach into the outermost beams from beside.
+  /// Throws Error for a pose that is nowhere.
   [[nodiscard]] bool can_trace(const render::Pose& pose) const;
 
   /// Throws Error for what can_trace says no to, and for a bin that is too bright for its sums.
@@ -91,19 +97,12 @@ class LiveTracer {
       return first < other.first + other.count && other.first < first + count;
     }
   };
-  /// Ground that beams look at.
-  struct Footprint {
-    radar::Rectangle area;     ///< of the scene; nothing when its east lies west
-    radar::Rectangle landing;  ///< the same with what its things lay over
-
-    [[nodiscard]] bool is_empty() const { return !(area.east_m > area.west_m && area.north_m > area.south_m); }
-  };
   /// Where the bins of a pose look.
   struct Look {
     Vec3d radar;  ///< from where lines of sight are straight
     double near_m = 0.0, far_m = 0.0;
     render::FrameReach halfway_up;  ///< where bins lie on ground of one height, between the lowest and the highest
-    Footprint ground;               ///< of all beams
+    radar::Rectangle ground;        ///< of the scene, under all beams; nothing when its east lies west
   };
   /// Beams that are traced together, call after call.
   struct Step {
@@ -114,13 +113,21 @@ class LiveTracer {
 
   [[nodiscard]] Look look_of(const render::Pose& pose) const;
   [[nodiscard]] Look look_from(Vec3d radar, const render::Pose& pose) const;
-  [[nodiscard]] Footprint footprint(const Look& look, const render::Pose& pose, Beams beams, double rim_beams) const;
+  /// Of the scene what lies under beams and so many beside them.
+  [[nodiscard]] radar::Rectangle ground_under(const Look& look, const render::Pose& pose, Beams beams,
+                                              double rim_beams) const;
+  /// The same as far as it is traced for them.
+  [[nodiscard]] radar::Rectangle ground_traced(const Look& look, const render::Pose& pose, Beams beams) const;
+  /// Whether power is kept by cells of the lattice, as speckle needs it.
+  [[nodiscard]] bool keeps_cells() const;
+  /// TracedView::rim_beams.
+  [[nodiscard]] double rim_beams(const Look& look, const render::Pose& pose) const;
   [[nodiscard]] int lattice_level(const Look& look) const;
   [[nodiscard]] double lattice_cell_m(const Look& look) const;
   [[nodiscard]] double cells_in(const radar::Rectangle& area, const Look& look) const;
-  [[nodiscard]] double cells_aimed_at(const Look& look) const;
+  [[nodiscard]] double cells_aimed_at(const radar::Rectangle& area, const Look& look) const;
   /// How many beams a cell of the lattice may be wide.
-  [[nodiscard]] double widest_cell_beams() const;
+  [[nodiscard]] double widest_cell_beams(const Look& look, const render::Pose& pose) const;
   void begin(const render::Pose& pose);
   /// That of these beams, with what they have been brought since the pose is what it is.
   [[nodiscard]] TracedGround* ground_of(const render::Pose& pose, Beams beams);

@@ -20,7 +20,7 @@ namespace sigmascape::simulate {
 struct TraceSettings {
   double cell_m = 2.0;                  ///< side of the squares of ground that rays are aimed at
   std::uint32_t samples_per_cell = 64;  ///< rays a square
-  int max_bounces = 8;
+  int max_bounces = 8;                  ///< 1 to trace::most_bounces
   std::uint64_t seed = 1;
   unsigned threads = 0;
   /// Beside the scene's own: they answer where the scene lets them be seen, and their boxes hide what stands behind,

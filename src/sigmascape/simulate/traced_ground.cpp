@@ -36,14 +36,6 @@ radar::LatticeCell cell_at(Vec2d point, double cell_m) {
           static_cast<std::int32_t>(std::floor(point.y / cell_m))};
 }
 
-LatticeBlock block_over(const TracedView& view) {
-  if (!view.with_cells) return {};
-  const radar::LatticeCell first = cell_at({view.landing.west_m, view.landing.south_m}, view.cell_m);
-  const radar::LatticeCell last = cell_at({view.landing.east_m, view.landing.north_m}, view.cell_m);
-  return {first, static_cast<std::size_t>(last.column - first.column + 1),
-          static_cast<std::size_t>(last.row - first.row + 1)};
-}
-
 }  // namespace
 
 TracedGround::TracedGround(const TracedView& view)
@@ -51,7 +43,7 @@ TracedGround::TracedGround(const TracedView& view)
       launch_(launch_for(view)),
       tracer_(view.geometry, view.surfaces, launch_.viewpoint, {.max_bounces = view.max_bounces}, view.seed),
       bins_(view.beams * view.bins.ranges),
-      cells_(block_over(view), view.cell_m),
+      cells_(view.cell_m),
       answers_(launch_.cells.size(), 0) {}
 
 std::size_t TracedGround::answering() const {

@@ -32,9 +32,8 @@ struct TracedView {
   /// How far beside those an echo has a say in them, in beams: half of one, for echoes are shared between neighbours,
   /// and with cells as much more as one is wide, for those that reach into a beam are needed whole.
   double rim_beams = 0.5;
-  radar::Rectangle area;     ///< of ground that the beams look at
-  radar::Rectangle landing;  ///< the same with what stands on it laid over beyond its edges: where echoes land
-  double cell_m = 1.0;       ///< side of the squares that rays are aimed at, and of the scatterers' cells
+  radar::Rectangle area;  ///< of ground that the beams look at
+  double cell_m = 1.0;    ///< side of the squares that rays are aimed at, and of the scatterers' cells
   int max_bounces = 8;
   std::uint64_t seed = 1;
   unsigned threads = 0;

@@ -1,5 +1,6 @@
 #include "sigmascape/simulate/traced_scatterers.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <vector>
@@ -10,7 +11,7 @@
 namespace sigmascape::simulate {
 namespace {
 
-/// The scatterers of one row of cells.
+/// The scatterers of cells side by side in a row.
 class ScattererRow {
  public:
   ScattererRow(const ScattererView& view, radar::LatticeCell first, std::size_t count)
@@ -82,25 +83,26 @@ class AmplitudeBins {
 
 void add_scatterers(const TracedGround& ground, const ScattererView& view,
                     std::span<std::complex<float>> amplitudes_m) {
-  const LatticeBlock& block = ground.cells().block();
   const terrain::HeightField& terrain = ground.view().scene.terrain;
   AmplitudeBins bins(ground.view(), amplitudes_m);
   const double of_one_pass = 1.0 / static_cast<double>(ground.bins().passes());
-  for (std::size_t row = 0; row < block.rows; ++row) {
-    const radar::LatticeCell first{block.first.column, block.first.row + static_cast<std::int32_t>(row)};
-    const ScattererRow scatterers(view, first, block.columns);
-    for (std::size_t column = 0; column < block.columns; ++column) {
-      const LatticeSums::Sum sum = ground.cells().sum(column, row, of_one_pass);
-      if (sum.rcs_m2 == radar::Channels{}) continue;
-      const Vec2d place = scatterers.place(column);
+  const auto add_run = [&](radar::LatticeCell first, std::span<const LatticeSums::Sum> sums) {
+    const auto is_dark = [](const LatticeSums::Sum& sum) { return sum.rcs_m2 == radar::Channels{}; };
+    if (std::ranges::all_of(sums, is_dark)) return;
+    const ScattererRow scatterers(view, first, sums.size());
+    for (std::size_t i = 0; i < sums.size(); ++i) {
+      const LatticeSums::Sum& sum = sums[i];
+      if (is_dark(sum)) continue;
+      const Vec2d place = scatterers.place(i);
       const double distance_m = std::hypot(place.x - view.radar.x, place.y - view.radar.y);
       const double range_m = view.earth.slant_range_m(view.radar.z, terrain.height_at(place), distance_m);
-      const LatticeSums::Place middle = ground.middle_of({first.column + static_cast<std::int32_t>(column), first.row});
+      const LatticeSums::Place middle = ground.middle_of({first.column + static_cast<std::int32_t>(i), first.row});
       bins.add({middle.beam + sum.place.beam, middle.range + sum.place.range},
-               radar::polarized(scatterers.drawn(column), sum.rcs_m2) *
+               radar::polarized(scatterers.drawn(i), sum.rcs_m2) *
                    receiver::carrier_phase(range_m, wavelength_m(view.frequency_hz)));
     }
-  }
+  };
+  ground.cells().for_each_run(of_one_pass, add_run);
 }
 
 }  // namespace sigmascape::simulate

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 #include <memory>
 
+#include "sigmascape/base/error.h"
 #include "sigmascape/base/hash.h"
 #include "sigmascape/base/parallel.h"
 #include "sigmascape/trace/tile_tracer.h"
@@ -65,6 +67,11 @@ constexpr std::size_t most_starts = 16384;
 
 }  // namespace
 
+void check_bounces(int max_bounces, const std::string& where) {
+  if (max_bounces < 1 || max_bounces > most_bounces)
+    throw Error(where, fmt::format("{} bounces", max_bounces), fmt::format("use 1 to {}", most_bounces));
+}
+
 SampleRange samples_for(const LaunchCell& cell, const SampleRange& samples, std::uint64_t seed) {
   const double share = static_cast<double>(cell.share);
   const double lot = static_cast<double>(
@@ -76,7 +83,9 @@ SampleRange samples_for(const LaunchCell& cell, const SampleRange& samples, std:
 
 PathTracer::PathTracer(const SceneGeometry& geometry, SpectralSurfaces surfaces, const Viewpoint& viewpoint,
                        const PathOptions& options, std::uint64_t seed)
-    : geometry_(&geometry), surfaces_(std::move(surfaces)), viewpoint_(viewpoint), options_(options), seed_(seed) {}
+    : geometry_(&geometry), surfaces_(std::move(surfaces)), viewpoint_(viewpoint), options_(options), seed_(seed) {
+  check_bounces(options.max_bounces, "path tracer");
+}
 
 PathTracer::PathTracer(const SceneGeometry& geometry, std::vector<scatter::SurfaceModel> surfaces,
                        const Viewpoint& viewpoint, const PathOptions& options, std::uint64_t seed)

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <functional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "sigmascape/radar/complex_channels.h"
@@ -27,7 +28,7 @@ enum class Sampler {
 };
 
 struct PathOptions {
-  int max_bounces = 8;
+  int max_bounces = 8;  ///< 1 to most_bounces
   Estimator estimator = Estimator::Reciprocal;
   bool roulette = true;  ///< end dark paths early, without bias
   /// A path goes on in roulette with so many times the part of the power sent that it still carries for its chance. Two
@@ -37,6 +38,12 @@ struct PathOptions {
   bool power_books = false;  ///< keep account of what becomes of the power: TraceCounts::power
   bool coherent = false;     ///< hand out amplitudes with the echoes: TileEchoes::amplitudes_m
 };
+
+/// As many as an Echo can count.
+inline constexpr int most_bounces = 255;
+
+/// Throws Error for a greatest number of bounces that is not from 1 to `most_bounces`; `where` says whose it is.
+void check_bounces(int max_bounces, const std::string& where);
 
 /// Which of each cell's samples to trace; samples first … first + count − 1 of `of` share the cell's area. Of cells
 /// that stand about the target, LaunchCell::share of them are traced.
@@ -140,7 +147,7 @@ using TileBody = std::function<void(TilePaths& tile, unsigned worker)>;
 /// mean density of all, so that each frequency has the mean that it has alone (Eq. 9). The rays are those of one.
 class PathTracer {
  public:
-  /// For one frequency.
+  /// For one frequency. Both throw Error for options that check_bounces refuses.
   PathTracer(const SceneGeometry& geometry, std::vector<scatter::SurfaceModel> surfaces, const Viewpoint& viewpoint,
              const PathOptions& options, std::uint64_t seed);
   /// For all frequencies of `surfaces`, of which there is one at least.

@@ -8,6 +8,7 @@
 #include <numeric>
 #include <vector>
 
+#include "peak_memory.h"
 #include "physics/level_scene.h"
 
 #include "sigmascape/base/error.h"
@@ -610,6 +611,77 @@ TEST_F(LiveTracerTest, SaysWhatItCanTraceAsItDoes) {
   away.position = {0.0, -80e3, 0.0};
   EXPECT_TRUE(live.can_trace(away));
   EXPECT_NO_THROW(live.render(away));
+}
+
+/// A hill of 30 m in the middle of level ground.
+scene::Scene hill_scene() {
+  scene::Scene scene = physics_test::level_scene(lambert("ground"), 128.0);
+  Array2D<float> heights(17, 17, 0.0F);
+  heights(8, 8) = 30.0F;
+  scene.terrain = {scene.extent.west_m, scene.extent.north_m, 8.0, std::move(heights)};
+  return scene;
+}
+
+// From 3 km above the hill its top lays over by √(2 · 3 km · 30 m) = 424 m, and bins that begin above the ground begin
+// at the foot of the radar: 16,000 cells of a metre answer, of 10 million that echoes might land on.
+TEST_F(LiveTracerTest, AmplitudesTakeMemoryForCellsThatAnswer) {
+  if (!memory_is_ours) GTEST_SKIP() << "measures memory";
+  const scene::Scene scene = hill_scene();
+  const trace::SceneGeometry geometry(scene, trace::Footing::Terrain);
+  render::LiveSettings settings;
+  settings.beams = 1570;
+  settings.ranges = 256;
+  settings.beam_step_rad = 0.004;
+  settings.range_step_m = 2.0;
+  settings.threads = 1;
+  LiveTracer live(scene, geometry, settings, {.rays_per_cell = 2, .lattice_m = 1.0});
+  render::Pose pose;
+  pose.position = {0.0, 0.0, 3000.0};
+  pose.first_range_m = 2900.0;
+  ASSERT_TRUE(live.can_trace(pose));
+  const long before_kib = peak_memory_kib();
+  live.render(pose);
+  // Bins are promised to take 124 bytes each, of which the frame's 32 are there already, and cells 61.
+  const double promised = 1570.0 * 256.0 * 92.0 + 128.0 * 128.0 * 61.0;
+  EXPECT_LT(1024.0 * static_cast<double>(peak_memory_kib() - before_kib), 2.0 * promised);
+}
+
+// Near the foot of the radar cells are wider than beams: those that reach into the outermost lie beside them.
+TEST_F(LiveTracerTest, WithSpeckleCellsBesideTheBeamsCount) {
+  const scene::Scene plane = physics_test::level_scene(lambert("ground"), 256.0);
+  const trace::SceneGeometry geometry(plane, trace::Footing::Terrain);
+  render::LiveSettings settings;
+  settings.beams = 4;
+  settings.ranges = 16;
+  settings.beam_step_rad = 0.05;
+  settings.range_step_m = 2.0;
+  render::Pose pose;
+  pose.position = {0.0, 0.0, 300.0};
+  pose.first_range_m = 290.0;
+  pose.first_azimuth_rad = -0.1;
+  // The rectangle about a sector of 5 and one of 13 beams, of echoes half a beam and half a beam and four beside them.
+  const double far_m = std::sqrt(324.0 * 324.0 - 300.0 * 300.0);
+  const auto cells = [&](double beams) { return far_m * 2.0 * far_m * std::sin(0.5 * beams * 0.05); };
+  const LiveTraceSettings tracing{.rays_per_cell = 2, .lattice_m = 1.0, .most_cells = 0.5 * (cells(5) + cells(13))};
+  for (const FrameContent content : {FrameContent::Powers, FrameContent::Amplitudes}) {
+    settings.content = content;
+    LiveTracer live(plane, geometry, settings, tracing);
+    const bool fits = content == FrameContent::Powers;
+    EXPECT_EQ(live.can_trace(pose), fits);
+    if (fits)
+      EXPECT_NO_THROW(live.render(pose));
+    else
+      EXPECT_THROW(live.render(pose), Error);
+  }
+}
+
+TEST_F(LiveTracerTest, MoreBouncesThanAnEchoCountsAreRefused) {
+  const auto made = [&](int max_bounces) {
+    return LiveTracer(scene_, geometry_, bins_.settings(FrameContent::Powers), {.max_bounces = max_bounces});
+  };
+  EXPECT_NO_THROW(made(255));
+  EXPECT_THROW(made(256), Error);
+  EXPECT_THROW(made(0), Error);
 }
 
 TEST_F(LiveTracerTest, AStepOfAScanCountsTheTargetsThatItsBeamsSee) {

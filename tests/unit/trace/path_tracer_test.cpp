@@ -8,6 +8,7 @@
 
 #include "plain_scene.h"
 
+#include "sigmascape/base/error.h"
 #include "sigmascape/radar/radar.h"
 
 namespace sigmascape::trace {
@@ -244,6 +245,17 @@ TEST(PathTracer, TerrainLiftedByAnyHeightScattersAlike) {
   const auto a = shifted_area(low), b = shifted_area(high);
   ASSERT_FALSE(a.empty());
   EXPECT_NEAR(a.front().rcs_m2.vv / b.front().rcs_m2.vv, 1.0, 1e-4);
+}
+
+TEST(PathTracer, GoesNoFartherThanEchoesCount) {
+  const scene::Scene scene = plain_scene();
+  const SceneGeometry geometry(scene, Footing::LevelPlane);
+  const auto made = [&](int max_bounces) {
+    return PathTracer(geometry, surface_models(scene, 10e9), Viewpoint::distant({0.0, 0.5}),
+                      {.max_bounces = max_bounces}, 1);
+  };
+  for (const int bounces : {1, 255}) EXPECT_NO_THROW(made(bounces)) << bounces;
+  for (const int bounces : {-1, 0, 256}) EXPECT_THROW(made(bounces), Error) << bounces;
 }
 
 }  // namespace
