@@ -10,8 +10,8 @@ void CrownCrossings::begin(const std::vector<scatter::SurfaceModel>& surfaces) {
 }
 
 void CrownCrossings::add(const CrownCrossing& crossing) {
-  if (std::ranges::find(crossings_, crossing.tree, &CrownCrossing::tree) == crossings_.end())
-    crossings_.push_back(crossing);
+  const auto is_the_same = [&](const CrownCrossing& c) { return c.tree == crossing.tree && c.crown == crossing.crown; };
+  if (std::ranges::none_of(crossings_, is_the_same)) crossings_.push_back(crossing);
 }
 
 float CrownCrossings::extinction_of(const CrownCrossing& crossing) const {

@@ -10,13 +10,14 @@
 
 namespace sigmascape::trace {
 
-/// The part of a ray that lies within one tree's crown.
+/// The part of a ray that lies within one crown of a tree.
 struct CrownCrossing {
   float enter_m = 0.0F;
   float leave_m = 0.0F;
   float extinction_scale = 1.0F;  ///< of this tree's medium, by its size
   scene::MaterialIndex medium = 0;
-  unsigned tree = 0;  ///< tells instances apart
+  unsigned tree = 0;   ///< tells instances apart
+  unsigned crown = 0;  ///< tells apart the crowns of one instance
 };
 
 /// Where the crowns along a ray intercept it.

@@ -22,8 +22,8 @@ constexpr double rim_m = 300.0;
 constexpr std::size_t most_grid_nodes = 32767;  // along a side of Embree's grids
 
 /// Crowns are never hit: a ray that crosses one is told so and goes on. Embree gives it in the prototype's frame, where
-/// distances along the ray are what they are outside.
-void cross_crown(const scene::Crown& crown, const RTCRay& ray, RTCIntersectContext* context) {
+/// distances along the ray are what they are outside; `number` tells apart those of one prototype.
+void cross_crown(const scene::Crown& crown, unsigned number, const RTCRay& ray, RTCIntersectContext* context) {
   const auto& [embree, crowns, tree_sizes] = *reinterpret_cast<const RayContext*>(context);
   if (crowns == nullptr) return;
   const Vec3f r = crown.shape.radii_m, c = crown.shape.centre;
@@ -40,7 +40,8 @@ void cross_crown(const scene::Crown& crown, const RTCRay& ray, RTCIntersectConte
                .leave_m = static_cast<float>(nearest + half),
                .extinction_scale = crown.extinction_scale(tree_sizes[tree]),
                .medium = crown.medium,
-               .tree = tree});
+               .tree = tree,
+               .crown = number});
 }
 
 const scene::Crown& crown_of(void* user_data) {
@@ -360,10 +361,11 @@ void SceneStructures::attach_crown(RTCScene prototype, scene::Crown& crown) {
   // Rays that can meet crowns come one by one, so that the packets that Embree speaks of hold one each.
   rtcSetGeometryIntersectFunction(geometry, [](const RTCIntersectFunctionNArguments* a) {
     if (a->valid[0] != 0)
-      cross_crown(crown_of(a->geometryUserPtr), reinterpret_cast<RTCRayHit*>(a->rayhit)->ray, a->context);
+      cross_crown(crown_of(a->geometryUserPtr), a->geomID, reinterpret_cast<RTCRayHit*>(a->rayhit)->ray, a->context);
   });
   rtcSetGeometryOccludedFunction(geometry, [](const RTCOccludedFunctionNArguments* a) {
-    if (a->valid[0] != 0) cross_crown(crown_of(a->geometryUserPtr), *reinterpret_cast<RTCRay*>(a->ray), a->context);
+    if (a->valid[0] != 0)
+      cross_crown(crown_of(a->geometryUserPtr), a->geomID, *reinterpret_cast<RTCRay*>(a->ray), a->context);
   });
   rtcCommitGeometry(geometry);
   rtcAttachGeometry(prototype, geometry);

@@ -94,6 +94,24 @@ TEST(Crown, RaysCrossScaledEllipsoidsAlongTheirChords) {
   EXPECT_EQ(depth({50, 0, 4}, {1, 0, 0}), 0.0F) << "behind the ray";
 }
 
+// 4 m and 6 m of chord above one another; each once, whichever way the ray goes.
+TEST(Crown, EveryCrownOfATreeCounts) {
+  scene::Scene scene = crown_scene({{400.0F, 400.0F, 5.0F}, {2.0F, 2.0F, 2.0F}}, {.extinction_per_m = 0.5});
+  scene.instances[0] = {.x_m = 10.0F, .y_m = 0.0F};
+  scene.crowns[0].shape.centre = {0.0F, 0.0F, 5.0F};
+  scene::Crown upper = scene.crowns[0];
+  upper.shape = {{0.0F, 0.0F, 12.0F}, {2.0F, 2.0F, 3.0F}};
+  scene.crowns.push_back(upper);
+  const SceneGeometry geometry(scene, Footing::LevelPlane);
+  const auto surfaces = surface_models(scene, frequency_hz);
+  for (const float up : {1.0F, -1.0F}) {
+    CrownCrossings crowns;
+    crowns.begin(surfaces);
+    EXPECT_FALSE(geometry.occluded({10.0F, 0.0F, up > 0.0F ? 1.0F : 30.0F}, {0.0F, 0.0F, up}, crowns, 29.0F));
+    EXPECT_NEAR(crowns.optical_depth(), 0.5 * (4.0 + 6.0), 1e-4) << up;
+  }
+}
+
 // The same line through the same leaves, whatever their size; a medium that is stated knows metres of the world.
 TEST(Crown, OfATallTreeLetsPassWhatThatOfASmallOneDoes) {
   const auto depth_at = [](float scale, bool grows) {
@@ -198,7 +216,7 @@ TEST(Crown, KeepsAllPowerThatItDoesNotAbsorb) {
   for (const double albedo : {0.3, 1.0}) {
     const PowerBooks kept = books(albedo);
     EXPECT_LT(std::abs(kept.imbalance()), 3.0 * kept.imbalance_error() + 1e-4) << albedo;
-    EXPECT_LT(kept.imbalance_error(), 0.02);
+    EXPECT_LT(kept.imbalance_error(), 0.004);
   }
 }
 
