@@ -49,7 +49,7 @@ TEST(MultibounceReach, BringsWhatALargerAreaWould) {
   const double all = landed(scene, {-100, -100, 100, 100}, {});
   ASSERT_GT(all, 0.0);
   const auto reach = multibounce_reach(scene, Viewpoint::distant(from_south), target);
-  EXPECT_NEAR(landed(scene, target, reach) / all, 1.0, 0.08);
+  EXPECT_NEAR(landed(scene, target, reach) / all, 1.0, 0.03);
   // As far as once was thought to be enough.
   EXPECT_LT(landed(scene, target, {32.0, 32.0}) / all, 0.01);
 }
@@ -59,7 +59,7 @@ TEST(MultibounceReach, RingsDoNotChangeTheMean) {
   const scene::Scene scene = wall_behind_wall();
   const double all = landed(scene, {-80, -60, 80, 72}, {}, steeply_from_south);
   for (const double before_m : {60.0, 120.0, 240.0})
-    EXPECT_NEAR(landed(scene, target, {before_m, 40.0}, steeply_from_south) / all, 1.0, 0.08) << before_m;
+    EXPECT_NEAR(landed(scene, target, {before_m, 40.0}, steeply_from_south) / all, 1.0, 0.03) << before_m;
 }
 
 TEST(MultibounceReach, EchoesNeverLandBeforeTheirEnds) {

@@ -46,7 +46,9 @@ TEST(PowerBooks, BalanceForEveryMaterial) {
       ASSERT_GT(books.paths, 1000U);
       const std::string name = material.name + (pit ? ", pit" : ", street");
       EXPECT_LT(std::abs(books.imbalance()), 3.0 * books.imbalance_error()) << name;
-      EXPECT_LT(books.imbalance_error(), 0.02) << name << ": too noisy to tell";
+      // Most materials have an error of less than 0.3 %, conductors one of up to 1.7 %.
+      EXPECT_NEAR(books.imbalance(), 0.0, 0.02) << name;
+      EXPECT_LT(books.imbalance_error(), 0.018) << name << ": too noisy to tell";
       EXPECT_GT(books.escaped, 0.0) << name;
       EXPECT_GE(books.cut, 0.0) << name;
     }

@@ -80,8 +80,9 @@ TEST(SeveralFrequencies, EachHasTheMeanThatItHasAlone) {
   for (std::size_t f = 0; f < frequencies_hz.size(); ++f) {
     const Estimate alone = street.estimates(std::span(&frequencies_hz[f], 1), &alone_counts).front();
     const double z = (together[f].mean - alone.mean) / std::hypot(together[f].error, alone.error);
-    EXPECT_LT(std::abs(z), 4.0) << frequencies_hz[f] / 1e9 << " GHz";
-    EXPECT_LT(together[f].error / together[f].mean, 0.05) << "too noisy for the test to tell";
+    EXPECT_LT(std::abs(z), 3.0) << frequencies_hz[f] / 1e9 << " GHz";
+    EXPECT_NEAR(together[f].mean / alone.mean, 1.0, 0.03) << frequencies_hz[f] / 1e9 << " GHz";
+    EXPECT_LT(together[f].error / together[f].mean, 0.015) << "too noisy for the test to tell";
   }
   // One set of paths serves all.
   EXPECT_NEAR(static_cast<double>(together_counts.rays) / (static_cast<double>(alone_counts.rays) / 3.0), 1.0, 0.05);
