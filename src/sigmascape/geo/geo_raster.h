@@ -34,6 +34,8 @@ struct GeoRaster {
 /// Throws Error when the raster has no bands or bands of different size, the CRS is not understood, or the disk is
 /// full.
 void write_geotiff(const std::filesystem::path& path, const GeoRaster& raster);
+/// The bytes of that file, for whoever has something to put into them. `path` is where they will lie, for messages.
+[[nodiscard]] std::string geotiff_bytes(const std::filesystem::path& path, const GeoRaster& raster);
 /// Whether a file of that name is known for a GeoTIFF: .tif or .tiff.
 [[nodiscard]] bool is_geotiff_name(const std::filesystem::path& path);
 

@@ -102,7 +102,7 @@ bool is_geotiff_name(const std::filesystem::path& path) {
   return ending == ".tif" || ending == ".tiff";
 }
 
-void write_geotiff(const std::filesystem::path& path, const GeoRaster& raster) {
+std::string geotiff_bytes(const std::filesystem::path& path, const GeoRaster& raster) {
   check_bands(path, raster);
   const QuietGdal quiet;
   const GdalMemoryFile file;
@@ -111,7 +111,11 @@ void write_geotiff(const std::filesystem::path& path, const GeoRaster& raster) {
                  {"TILED=YES", "BLOCKXSIZE=256", "BLOCKYSIZE=256", "COMPRESS=ZSTD", "PREDICTOR=3", "INTERLEAVE=BAND",
                   "BIGTIFF=IF_SAFER", "COPY_SRC_OVERVIEWS=YES", "NUM_THREADS=1"},
                  file);
-  write_atomically(path, file.bytes());
+  return std::string(file.bytes());
+}
+
+void write_geotiff(const std::filesystem::path& path, const GeoRaster& raster) {
+  write_atomically(path, geotiff_bytes(path, raster));
   // What others noted of the file that lay there, statistics above all, does not hold of this one.
   std::error_code ignored;
   std::filesystem::remove(path.string() + ".aux.xml", ignored);

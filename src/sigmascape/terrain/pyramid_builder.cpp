@@ -141,12 +141,12 @@ void remove_pyramid(const std::filesystem::path& folder) {
   for (const auto& level : levels) std::filesystem::remove_all(level);
 }
 
-/// A tile that is there, whole and in its place.
+/// A tile that is there, as it was written and in its place.
 std::shared_ptr<const HeightTile> whole_tile(const std::filesystem::path& folder, const PyramidLayout& layout,
                                              const std::string& crs, TileKey key) {
   if (geo::is_absent(tile_path(folder, key))) return nullptr;
   try {
-    return read_tile_in_place(folder, layout, crs, key);
+    return read_whole_tile(folder, layout, crs, key);
   } catch (const Error&) {
     return nullptr;
   }
@@ -250,9 +250,8 @@ void for_each_file(const std::filesystem::path& folder, const OnFile& on_file) {
     for (std::uint32_t row = 0; row < heading.layout.down(level); ++row) {
       for (std::uint32_t column = 0; column < heading.layout.across(level); ++column) {
         const TileKey key{level, column, row};
-        on_file(tile_path(folder, key), [&](const std::string& crs) {
-          static_cast<void>(read_tile_in_place(folder, heading.layout, crs, key));
-        });
+        on_file(tile_path(folder, key),
+                [&](const std::string& crs) { static_cast<void>(read_whole_tile(folder, heading.layout, crs, key)); });
       }
     }
   }

@@ -8,6 +8,7 @@
 #include <fstream>
 #include <iterator>
 #include <map>
+#include <optional>
 #include <system_error>
 #include <utility>
 
@@ -43,8 +44,38 @@ std::string digest_of(const Metadata& tile) {
   return digest.hex_digest();
 }
 
-constexpr std::string_view own_hash = "heading_sha256 = \"";
 constexpr std::size_t sha256_digits = 64;
+
+/// Under this name a tile records the SHA-256 of the bytes of its file without these digits, and under the other it
+/// tells so: a tile that lost one of the two does not pass for one of a former kind, which has neither.
+constexpr const char* file_hash = "file_sha256";
+constexpr const char* file_hash_is_of = "file_sha256_is_of";
+
+/// Where in the bytes of a tile's file those digits begin; nothing when it has none.
+std::optional<std::size_t> place_of_file_hash(std::string_view bytes) {
+  const std::string before = fmt::format("name=\"{}\">", file_hash);
+  const std::size_t found = bytes.find(before);
+  if (found == std::string_view::npos || bytes.size() < found + before.size() + sha256_digits) return std::nullopt;
+  return found + before.size();
+}
+
+std::string hash_without_digits(std::string_view bytes, std::size_t digits) {
+  Sha256 hash;
+  hash.add(bytes.substr(0, digits));
+  hash.add(bytes.substr(digits + sha256_digits));
+  return hash.hex_digest();
+}
+
+/// Whether the file of a tile is, byte for byte, as it was written.
+bool is_as_written(std::string_view bytes, const Metadata& tile) {
+  const auto recorded = tile.find(file_hash);
+  if ((recorded != tile.end()) != tile.contains(file_hash_is_of)) return false;
+  if (recorded == tile.end()) return true;
+  const auto digits = place_of_file_hash(bytes);
+  return digits && hash_without_digits(bytes, *digits) == recorded->second;
+}
+
+constexpr std::string_view own_hash = "heading_sha256 = \"";
 
 /// A heading with the SHA-256 of its own text at the end.
 std::string sealed(std::string text) {
@@ -53,10 +84,14 @@ std::string sealed(std::string text) {
   return text.insert(text.size() - std::string_view("\"\n").size(), digits);
 }
 
+std::string bytes_of(const std::filesystem::path& file_name) {
+  std::ifstream file(file_name, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
 /// Whether a heading is not what its own hash says.
 bool is_altered(const std::filesystem::path& file_name, const std::string& recorded) {
-  std::ifstream file(file_name, std::ios::binary);
-  std::string text{std::istreambuf_iterator<char>(file), {}};
+  std::string text = bytes_of(file_name);
   const std::size_t found = text.find(own_hash);
   if (found == std::string::npos || recorded.size() != sha256_digits) return true;
   text.erase(found + own_hash.size(), sha256_digits);
@@ -126,8 +161,14 @@ void write_tile(const std::filesystem::path& folder, const PyramidLayout& layout
                                      {"error_m", fmt::format("{}", tile.summary.error_m)},
                                      {"heights_sha256", digest_of(key, tile.height_m)}}};
   raster.metadata["tile_sha256"] = digest_of(raster.metadata);
+  raster.metadata[file_hash] = std::string(sha256_digits, '0');
+  raster.metadata[file_hash_is_of] = "all bytes of this file but these 64 digits";
   std::ranges::copy(tile.height_m, raster.bands[0].values.values().begin());
-  geo::write_geotiff(tile_path(folder, key), raster);
+  const std::filesystem::path path = tile_path(folder, key);
+  std::string bytes = geo::geotiff_bytes(path, raster);
+  const std::size_t digits = place_of_file_hash(bytes).value();
+  bytes.replace(digits, sha256_digits, hash_without_digits(bytes, digits));
+  geo::write_atomically(path, bytes);
 }
 
 std::shared_ptr<const HeightTile> read_tile(const std::filesystem::path& folder, TileKey key) {
@@ -135,11 +176,12 @@ std::shared_ptr<const HeightTile> read_tile(const std::filesystem::path& folder,
   return tile_in(geo::read_geotiff(path), path, key);
 }
 
-std::shared_ptr<const HeightTile> read_tile_in_place(const std::filesystem::path& folder, const PyramidLayout& layout,
-                                                     const std::string& crs, TileKey key) {
+std::shared_ptr<const HeightTile> read_whole_tile(const std::filesystem::path& folder, const PyramidLayout& layout,
+                                                  const std::string& crs, TileKey key) {
   const std::filesystem::path path = tile_path(folder, key);
   const geo::GeoRaster raster = geo::read_geotiff(path);
   if (!is_same_place(raster.placement, placement_of(layout, crs, key))) throw altered(path);
+  if (!is_as_written(bytes_of(path), raster.metadata)) throw altered(path);
   return tile_in(raster, path, key);
 }
 

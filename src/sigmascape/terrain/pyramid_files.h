@@ -37,14 +37,15 @@ inline constexpr std::uint32_t most_tiles_a_side = 1'000'000;
 /// Each file appears under its name only when it is whole. Throws Error when it cannot be written.
 void write_tile(const std::filesystem::path& folder, const PyramidLayout& layout, const std::string& crs, TileKey key,
                 const HeightTile& tile);
-/// Throws Error when the tile is missing, truncated or was altered. Where its file says that it lies is not asked: the
-/// layout tells.
+/// Throws Error when the tile is missing, or its heights or what it says of them were altered. What else is in its file
+/// is not asked: the layout tells where it lies.
 [[nodiscard]] std::shared_ptr<const HeightTile> read_tile(const std::filesystem::path& folder, TileKey key);
-/// The same, and throws Error too when the file says that it lies elsewhere than the layout has the tile in `crs`,
-/// which other programs go by.
-[[nodiscard]] std::shared_ptr<const HeightTile> read_tile_in_place(const std::filesystem::path& folder,
-                                                                   const PyramidLayout& layout, const std::string& crs,
-                                                                   TileKey key);
+/// The same, and throws Error too when any byte of the file was altered, or when it says that it lies elsewhere than
+/// the layout has the tile in `crs`: other programs go by that and by its overviews. Tiles of a former kind do not
+/// record the SHA-256 of their file; of these all but heights, what is said of them and place is taken as it is.
+[[nodiscard]] std::shared_ptr<const HeightTile> read_whole_tile(const std::filesystem::path& folder,
+                                                                const PyramidLayout& layout, const std::string& crs,
+                                                                TileKey key);
 
 void write_index(const std::filesystem::path& folder, const PyramidLayout& layout, const std::string& crs, int level,
                  const Array2D<TileSummary>& summaries);

@@ -478,6 +478,41 @@ void alter(const std::filesystem::path& file, const std::string& from, const std
   std::ofstream(file, std::ios::binary) << text.replace(text.find(from), from.size(), to);
 }
 
+/// A tile that does not tell the SHA-256 of its file, as those of a former kind.
+geo::GeoRaster read_former(const std::filesystem::path& file) {
+  geo::GeoRaster tile = geo::read_geotiff(file);
+  EXPECT_EQ(tile.metadata.erase("file_sha256") + tile.metadata.erase("file_sha256_is_of"), 2U);
+  return tile;
+}
+
+// Be it in the heights, in the cells of an overview, in the header or in what it says of itself.
+TEST(PyramidOfOneTile, NoByteOfItIsAlteredUnnoticed) {
+  const ScratchFolder folder;
+  const geo::LocalFrame frame(43.0, -3.0);
+  const HeightField field = rough(257, 257);
+  const auto pyramid = folder.path("pyramid"), tile = pyramid / "level_0/0_0.tif";
+  build_pyramid(pyramid, field, frame);
+  const auto whole = files_of(pyramid);
+  const std::string& right = whole.at("level_0/0_0.tif");
+  const auto is_found = [&](const std::string& bytes) {
+    std::ofstream(tile, std::ios::binary) << bytes;
+    const auto faults = verify_pyramid(pyramid, frame);
+    return faults.size() == 1 && faults.front().file == "level_0/0_0.tif";
+  };
+  ASSERT_FALSE(is_found(right));
+  const std::size_t words = right.find("<GDALMetadata>"), end_of_words = right.find("</GDALMetadata>");
+  ASSERT_LT(end_of_words, right.size());
+  for (std::size_t at = 0; at < right.size(); at += at >= words && at < end_of_words ? 7 : 997) {
+    std::string altered = right;
+    altered[at] = static_cast<char>(altered[at] ^ 1);
+    ASSERT_TRUE(is_found(altered)) << "byte " << at;
+  }
+  EXPECT_TRUE(is_found(right.substr(0, right.size() - 10)));
+  EXPECT_TRUE(is_found(right + "x"));
+  EXPECT_EQ(build_pyramid(pyramid, field, frame), 1U);
+  EXPECT_EQ(difference_of(files_of(pyramid), whole), "");
+}
+
 // As written by somebody who knows what a GeoTIFF is, so that the file is whole in itself.
 TEST_F(PyramidOnDisk, AlteredHeadingsIndexesAndSummariesAreFoundAndMended) {
   const auto whole = files_of(folder_.path("pyramid"));
@@ -503,7 +538,7 @@ TEST_F(PyramidOnDisk, AlteredHeadingsIndexesAndSummariesAreFoundAndMended) {
               HasSubstr("level_0.tif: has been altered"));
   EXPECT_EQ(mended(), "");
   {
-    geo::GeoRaster summary = geo::read_geotiff(tile("level_1/0_0.tif"));
+    geo::GeoRaster summary = read_former(tile("level_1/0_0.tif"));
     summary.metadata["error_m"] = "0";
     geo::write_geotiff(tile("level_1/0_0.tif"), summary);
   }
@@ -519,7 +554,7 @@ TEST_F(PyramidOnDisk, TilesThatSayThatTheyLieElsewhereAreFoundAndMended) {
     placement.cell_m = cell_m;
     return placement;
   };
-  const geo::GeoRaster right = geo::read_geotiff(tile("level_1/1_0.tif"));
+  const geo::GeoRaster right = read_former(tile("level_1/1_0.tif"));
   geo::RasterPlacement northward = right.placement, in_another_frame = right.placement;
   northward.north_m += 1000.0;
   in_another_frame.crs = geo::LocalFrame(43.001, -3.0).proj();
@@ -534,12 +569,12 @@ TEST_F(PyramidOnDisk, TilesThatSayThatTheyLieElsewhereAreFoundAndMended) {
   }
 }
 
-// They tell neither their own hash nor those of the indexes, nor tiles that of their summary.
+// They tell neither their own hash nor those of the indexes, nor tiles those of their summary and of their file.
 TEST_F(PyramidOnDisk, ThoseOfAFormerKindAreTakenAsTheyAre) {
   std::string heading = files_of(folder_.path("pyramid")).at("pyramid.toml");
   heading.erase(heading.find("index_sha256"));
   std::ofstream(tile("pyramid.toml"), std::ios::binary) << heading;
-  geo::GeoRaster former = geo::read_geotiff(tile("level_0/0_0.tif"));
+  geo::GeoRaster former = read_former(tile("level_0/0_0.tif"));
   ASSERT_EQ(former.metadata.erase("tile_sha256"), 1U);
   geo::write_geotiff(tile("level_0/0_0.tif"), former);
   EXPECT_EQ(only_fault(folder_.path("pyramid")), "none");
