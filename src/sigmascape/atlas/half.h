@@ -12,12 +12,12 @@ using Half = std::uint16_t;
 
 inline constexpr float largest_half = 65504.0F;
 
-/// The nearest half; of two equally near the even one. Beyond 65520 infinity; NaN stays NaN.
-///
-/// With `mantissa_bits` below 10 the nearest half of a significand so wide: noise that is not stored compresses well.
-/// Below 2⁻¹⁴ it is as wide as long as steps of 2⁻²⁴ allow. Written in integers because compilers differ in what they
-/// do with a half type of their own.
-[[nodiscard]] constexpr Half half_from_float(float value, int mantissa_bits = 10) {
+/// How a number that lies between two halves becomes one of them.
+enum class Rounding { Nearest, TowardsZero };
+
+/// See half_from_float and half_towards_zero.
+template <Rounding rounding>
+[[nodiscard]] constexpr Half rounded_half(float value, int mantissa_bits) {
   constexpr std::uint32_t infinity = 0x7f800000U;
   const auto bits = std::bit_cast<std::uint32_t>(value);
   const auto sign = static_cast<std::uint32_t>((bits >> 16U) & 0x8000U);
@@ -36,12 +36,26 @@ inline constexpr float largest_half = 65504.0F;
   const std::uint32_t kept = significand >> dropped;
   const std::uint32_t rest = significand & ((1U << dropped) - 1U);
   const std::uint32_t half_way = 1U << (dropped - 1U);
-  const bool up = rest > half_way || (rest == half_way && (kept & 1U) != 0);
+  const bool up = rounding == Rounding::Nearest && (rest > half_way || (rest == half_way && (kept & 1U) != 0));
   const std::uint32_t rounded = (kept + (up ? 1U : 0U)) << (dropped - static_cast<unsigned>(below_lowest_step));
 
   // The leading bit of a normal number adds one to the exponent field, and so does a carry out of the mantissa.
   const std::uint32_t exponent_field = exponent < -14 ? 0U : static_cast<std::uint32_t>(exponent + 14);
   return static_cast<Half>(sign | ((exponent_field << 10U) + rounded));
+}
+
+/// The nearest half; of two equally near the even one. Beyond 65520 infinity; NaN stays NaN.
+///
+/// With `mantissa_bits` below 10 the nearest half of a significand so wide: noise that is not stored compresses well.
+/// Below 2⁻¹⁴ it is as wide as long as steps of 2⁻²⁴ allow. Written in integers because compilers differ in what they
+/// do with a half type of their own.
+[[nodiscard]] constexpr Half half_from_float(float value, int mantissa_bits = 10) {
+  return rounded_half<Rounding::Nearest>(value, mantissa_bits);
+}
+
+/// The half of so many mantissa bits that is next to a number below 65536 on the side of zero, or the number itself.
+[[nodiscard]] constexpr Half half_towards_zero(float value, int mantissa_bits = 10) {
+  return rounded_half<Rounding::TowardsZero>(value, mantissa_bits);
 }
 
 /// The same number as a float, exactly. Makes no subnormal floats on the way, so that it holds where they are flushed

@@ -1,6 +1,7 @@
 #include "sigmascape/atlas/half_texture.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <tuple>
 
@@ -10,25 +11,45 @@ namespace {
 constexpr std::size_t bands = std::tuple_size_v<BandNames>;
 static_assert(radar::Channels::count == bands);
 
-/// `bands_of` gives the four numbers of a texel that are rounded, `bits_of` to how many bits, by its level and number.
-template <typename Texel, typename BandsOf, typename BitsOf>
-HalfTexture rounded(const std::vector<Array2D<Texel>>& chain, double scale, BitsOf bits_of, BandsOf bands_of) {
+/// `rounded_texel` gives the four halves of a texel of so many bits; `bits_of` tells how many, by its level and number.
+template <typename Texel, typename RoundedTexel, typename BitsOf>
+HalfTexture rounded(const std::vector<Array2D<Texel>>& chain, double scale, BitsOf bits_of,
+                    RoundedTexel rounded_texel) {
   HalfTexture texture{chain.front().columns(), scale, {}};
   for (std::size_t level = 0; level < chain.size(); ++level) {
     std::vector<Half>& halves = texture.levels.emplace_back();
     halves.reserve(chain[level].size() * bands);
     for (std::size_t i = 0; i < chain[level].size(); ++i) {
-      for (const float value : bands_of(chain[level].values()[i]))
-        halves.push_back(half_from_float(value, bits_of(level, i)));
+      const std::array<Half, bands> texel = rounded_texel(chain[level].values()[i], bits_of(level, i));
+      halves.insert(halves.end(), texel.begin(), texel.end());
     }
   }
   return texture;
 }
 
-/// Bands of σ0 under a scale.
-auto bands_under(double scale) {
-  return [gain = static_cast<float>(1.0 / scale)](const radar::Channels& texel) {
-    return std::array{texel.vv * gain, texel.hh * gain, texel.hv * gain, texel.re_vvhh * gain};
+std::array<Half, bands> nearest_halves(const std::array<float, bands>& values, int mantissa_bits) {
+  std::array<Half, bands> halves{};
+  std::ranges::transform(values, halves.begin(),
+                         [mantissa_bits](float value) { return half_from_float(value, mantissa_bits); });
+  return halves;
+}
+
+/// Re⟨S_VV·S_HH*⟩ cut to what VV and HH, each rounded alone, let it be. Squares and products of halves are exact as
+/// floats, and no half lies so little above the root of one that the root rounds up to it.
+Half cut_correlation(Half correlation, Half vv, Half hh, int mantissa_bits) {
+  const float value = float_from_half(correlation);
+  const float most_squared = std::max(float_from_half(vv) * float_from_half(hh), 0.0F);
+  if (value * value <= most_squared) return correlation;
+  return half_towards_zero(std::copysign(std::sqrt(most_squared), value), mantissa_bits);
+}
+
+/// Texels of σ0 under a scale.
+auto sigma0_under(double scale) {
+  return [gain = static_cast<float>(1.0 / scale)](const radar::Channels& texel, int mantissa_bits) {
+    auto halves =
+        nearest_halves({texel.vv * gain, texel.hh * gain, texel.hv * gain, texel.re_vvhh * gain}, mantissa_bits);
+    halves[3] = cut_correlation(halves[3], halves[0], halves[1], mantissa_bits);
+    return halves;
   };
 }
 
@@ -62,19 +83,21 @@ double fitting_scale(const Array2D<radar::Channels>& level_0) {
 }
 
 HalfTexture encoded(const MipChain& chain, double scale, int mantissa_bits) {
-  return rounded(chain, scale, always(mantissa_bits), bands_under(scale));
+  return rounded(chain, scale, always(mantissa_bits), sigma0_under(scale));
 }
 
 HalfTexture encoded(const MipChain& chain, double scale, const BitsOfTexels& mantissa_bits) {
   const auto bits_of = [&](std::size_t level, std::size_t i) { return int{mantissa_bits[level].values()[i]}; };
-  return rounded(chain, scale, bits_of, bands_under(scale));
+  return rounded(chain, scale, bits_of, sigma0_under(scale));
 }
 
 HalfTexture encoded(const ObstacleChain& chain) {
   constexpr int all_bits = 10;
-  return rounded(chain, 1.0, always(all_bits), [](const radar::Obstacle& texel) {
-    return std::array{std::min(texel.solid_top_m, largest_half), std::min(texel.crown_base_m, largest_half),
-                      std::min(texel.crown_top_m, largest_half), std::min(texel.crown_extinction_per_m, largest_half)};
+  return rounded(chain, 1.0, always(all_bits), [](const radar::Obstacle& texel, int mantissa_bits) {
+    return nearest_halves(
+        {std::min(texel.solid_top_m, largest_half), std::min(texel.crown_base_m, largest_half),
+         std::min(texel.crown_top_m, largest_half), std::min(texel.crown_extinction_per_m, largest_half)},
+        mantissa_bits);
   });
 }
 

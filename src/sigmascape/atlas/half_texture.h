@@ -27,7 +27,9 @@ inline constexpr BandNames obstacle_bands{"SOLID_TOP_M", "CROWN_BASE_M", "CROWN_
 /// 2¹⁴ and 2¹⁵, so that it fits whatever it is, and dark ground keeps as many bits as can be. 1 when all is black.
 [[nodiscard]] double fitting_scale(const Array2D<radar::Channels>& level_0);
 
-/// All levels rounded to the nearest half of so many mantissa bits, under the given scale.
+/// All levels rounded to the nearest half of so many mantissa bits, under the given scale. Where rounding would leave
+/// |Re⟨S_VV·S_HH*⟩| above √(σ0_VV·σ0_HH), which no echoes do, it becomes the largest half of these bits that is not
+/// above.
 [[nodiscard]] HalfTexture encoded(const MipChain& chain, double scale, int mantissa_bits);
 /// The same, every texel with bits of its own.
 [[nodiscard]] HalfTexture encoded(const MipChain& chain, double scale, const BitsOfTexels& mantissa_bits);

@@ -35,7 +35,7 @@ TEST(WorthwhileBits, MeansHaveMore) {
 }
 
 TEST(WorthwhileBits, EachTexelIsRoundedToItsOwn) {
-  const Array2D<radar::Channels> texels(2, 2, {1.3F, 0.65F, 0.1F, -1.0F});
+  const Array2D<radar::Channels> texels(2, 2, {1.3F, 0.65F, 0.1F, -0.5F});
   BitsOfTexels bits{Array2D<std::uint8_t>(2, 2, std::uint8_t{10})};
   const HalfTexture texture = encoded({texels}, fitting_scale(texels), bits);
   bits[0](1, 0) = 2;
@@ -44,7 +44,7 @@ TEST(WorthwhileBits, EachTexelIsRoundedToItsOwn) {
   // Of 1.3 between 1.25 and 1.5.
   EXPECT_FLOAT_EQ(decoded(rounded)[0](1, 0).vv, 1.25F);
   EXPECT_FLOAT_EQ(decoded(rounded)[0](1, 0).hh, 0.625F);
-  EXPECT_FLOAT_EQ(decoded(rounded)[0](1, 0).re_vvhh, -1.0F);
+  EXPECT_FLOAT_EQ(decoded(rounded)[0](1, 0).re_vvhh, -0.5F);
 }
 
 }  // namespace
