@@ -13,9 +13,10 @@
 namespace sigmascape::cli {
 namespace {
 
-/// The map in a file, whose cells are metres wide.
-radar::GroundMap metric_map(const std::string& file) {
-  radar::GroundMap map = product::read_ground_map(file);
+/// The map in a file, whose cells are metres wide, as far as this polarization needs it.
+radar::GroundMap metric_map(const std::string& file, radar::Polarization polarization) {
+  radar::GroundMap map = product::read_ground_map(file, polarization);
+  product::require_finite_cells(map, polarization, file);
   if (geo::is_in_degrees(map.crs)) {
     throw Error(file, "has cells of degrees, and cells are compared by their metres",
                 "render it with a --crs that counts in metres, or without one");
@@ -32,7 +33,10 @@ void add_compare_command(Command app, Output& output) {
     product::CompareOptions compare;
   };
   auto options = std::make_shared<Options>();
-  command.add_option("TESTED", options->tested, "ground map (GeoTIFF from render)").required();
+  command
+      .add_option("TESTED", options->tested,
+                  "ground map (GeoTIFF from render, or those bands of it that --polarization needs)")
+      .required();
   command.add_option("TRUTH", options->truth, "ground map held to be right").required();
   command.add_option("--noise-floor", options->repeated,
                      "the truth traced again with another seed: how close two of them come");
@@ -51,11 +55,11 @@ void add_compare_command(Command app, Output& output) {
   command.add_flag("--json", output.json, "print as JSON");
   command.footer("Example:\n  sigmascape compare baked.tif traced.tif --noise-floor traced_again.tif");
   command.callback([options, &output] {
-    const auto truth = metric_map(options->truth);
-    const auto comparison = product::compare_maps(metric_map(options->tested), truth, options->compare);
+    const auto map_in = [&](const std::string& file) { return metric_map(file, options->compare.polarization); };
+    const auto truth = map_in(options->truth);
+    const auto comparison = product::compare_maps(map_in(options->tested), truth, options->compare);
     std::optional<product::MapComparison> floor;
-    if (!options->repeated.empty())
-      floor = product::compare_maps(metric_map(options->repeated), truth, options->compare);
+    if (!options->repeated.empty()) floor = product::compare_maps(map_in(options->repeated), truth, options->compare);
     std::string text = product::comparison_table(comparison, floor);
     if (!floor) text += "render the truth again with another --seed and name it as --noise-floor to measure it\n";
     output.finish(text, nlohmann::ordered_json::parse(product::comparison_json(comparison, floor)));

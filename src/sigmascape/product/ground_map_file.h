@@ -19,5 +19,7 @@ void write_ground_map(const std::filesystem::path& path, const radar::GroundMap&
 /// In a file that was since moved onto other cells by a GIS the CRS is the file's own, as WKT. Throws Error when the
 /// file cannot be read or lacks one of the bands.
 [[nodiscard]] radar::GroundMap read_ground_map(const std::filesystem::path& path);
+/// The same, where only the bands that the power of this polarization is of must be there; those that are not are NaN.
+[[nodiscard]] radar::GroundMap read_ground_map(const std::filesystem::path& path, radar::Polarization polarization);
 
 }  // namespace sigmascape::product

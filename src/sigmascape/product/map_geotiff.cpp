@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cstddef>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <limits>
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "sigmascape/base/error.h"
 #include "sigmascape/base/units.h"
@@ -60,12 +62,30 @@ geo::NamedBand band_of(const MapView& map, const ChannelBand& channel, MapScale 
   return band;
 }
 
-const geo::NamedBand& band_named(const geo::GeoRaster& raster, const char* name, const std::filesystem::path& path) {
-  const auto found =
-      std::find_if(raster.bands.begin(), raster.bands.end(), [&](const geo::NamedBand& b) { return b.name == name; });
-  if (found != raster.bands.end()) return *found;
-  throw Error(path.string(), fmt::format("is not a ground map: it has no band named {}", name),
-              "give a GeoTIFF that sigmascape render wrote, with bands VV, HH, HV and RE_VVHH");
+/// Whether the power of a polarization is of this channel among others.
+bool is_part_of(radar::Polarization polarization, const ChannelBand& channel) {
+  radar::Channels alone{};
+  alone.*channel.value = 1.0F;
+  return alone.power(polarization) != 0.0F;
+}
+
+/// Nothing when there is none of that name.
+const geo::NamedBand* band_named(const geo::GeoRaster& raster, const char* name) {
+  const auto found = std::ranges::find(raster.bands, name, &geo::NamedBand::name);
+  return found == raster.bands.end() ? nullptr : &*found;
+}
+
+/// The bands that a map must have to be read. Throws Error when it lacks one.
+void require_bands(const geo::GeoRaster& raster, const std::vector<ChannelBand>& wanted,
+                   const std::filesystem::path& path) {
+  std::vector<const char*> names;
+  for (const ChannelBand& channel : wanted) names.push_back(channel.name);
+  for (const char* name : names) {
+    if (band_named(raster, name) != nullptr) continue;
+    throw Error(path.string(), fmt::format("is not a ground map: it has no band named {}", name),
+                fmt::format("give a GeoTIFF that sigmascape render wrote, of which {} {} needed",
+                            fmt::join(names, ", "), names.size() == 1 ? "is" : "are"));
+  }
 }
 
 void fill_channel(Array2D<radar::Channels>& cells, const ChannelBand& channel, const geo::NamedBand& band,
@@ -115,19 +135,27 @@ void write_map_geotiff(const std::filesystem::path& path, const MapView& map, Ma
   geo::write_geotiff(path, raster);
 }
 
-MapContent read_map_geotiff(const std::filesystem::path& path, const MappedQuantity& quantity) {
+MapContent read_map_geotiff(const std::filesystem::path& path, const MappedQuantity& quantity,
+                            std::optional<radar::Polarization> polarization) {
   geo::GeoRaster raster = geo::read_geotiff(path);
-  const geo::NamedBand& first = band_named(raster, channel_bands[0].name, path);
   const MapScale scale = scale_of(raster, quantity, path);
-  MapContent map{.grid = {raster.placement.west_m, raster.placement.north_m, raster.placement.cell_m,
-                          first.values.columns(), first.values.rows()},
+  std::vector<ChannelBand> wanted;
+  for (const ChannelBand& channel : channel_bands) {
+    const bool is_wanted = polarization ? is_part_of(*polarization, channel) : has_band(quantity, channel, scale);
+    if (is_wanted) wanted.push_back(channel);
+  }
+  require_bands(raster, wanted, path);
+  const Array2D<float>& first = raster.bands.front().values;
+  MapContent map{.grid = {raster.placement.west_m, raster.placement.north_m, raster.placement.cell_m, first.columns(),
+                          first.rows()},
                  .cells = {},
                  .crs = {},
                  .metadata = {}};
   map.cells = Array2D<radar::Channels>(map.grid.columns, map.grid.rows);
   for (const ChannelBand& channel : channel_bands) {
-    if (has_band(quantity, channel, scale)) {
-      fill_channel(map.cells, channel, band_named(raster, channel.name, path), raster.nodata, scale);
+    const geo::NamedBand* const band = band_named(raster, channel.name);
+    if (band != nullptr && has_band(quantity, channel, scale)) {
+      fill_channel(map.cells, channel, *band, raster.nodata, scale);
     } else {
       for (radar::Channels& cell : map.cells.values()) cell.*channel.value = std::numeric_limits<float>::quiet_NaN();
     }

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 
 #include "sigmascape/product/map_file.h"
@@ -20,7 +21,9 @@ struct MapContent {
   std::map<std::string, std::string> metadata;
 };
 
-/// Reads a file of the given quantity. Throws Error when it is a map of another one, cannot be read or lacks a band.
-[[nodiscard]] MapContent read_map_geotiff(const std::filesystem::path& path, const MappedQuantity& quantity);
+/// Reads a file of the given quantity. Throws Error when it is a map of another one, cannot be read or lacks a band:
+/// one of all that such a map has, or where a polarization is given of those that its power is of.
+[[nodiscard]] MapContent read_map_geotiff(const std::filesystem::path& path, const MappedQuantity& quantity,
+                                          std::optional<radar::Polarization> polarization = {});
 
 }  // namespace sigmascape::product

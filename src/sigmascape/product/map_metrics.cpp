@@ -106,6 +106,15 @@ const CellComparison* MapComparison::at_cell(double cell_m) const {
   return found == at.end() ? nullptr : &*found;
 }
 
+void require_finite_cells(const radar::GroundMap& map, radar::Polarization polarization, const std::string& name) {
+  const auto is_infinite = [&](const radar::Channels& cell) { return std::isinf(cell.power(polarization)); };
+  const auto fault = std::ranges::find_if(map.sigma0.values(), is_infinite);
+  if (fault == map.sigma0.values().end()) return;
+  const auto index = static_cast<std::size_t>(fault - map.sigma0.values().begin());
+  throw Error(fmt::format("{}, column {}, row {}", name, index % map.grid.columns, index / map.grid.columns),
+              "is infinite", "give maps whose cells are numbers, or NaN where nothing was seen");
+}
+
 MapComparison compare_maps(const radar::GroundMap& tested, const radar::GroundMap& truth,
                            const CompareOptions& options) {
   require_metres(tested, "the tested map");
@@ -113,6 +122,8 @@ MapComparison compare_maps(const radar::GroundMap& tested, const radar::GroundMa
   require_same_cells(tested, truth);
   require_finite(options.floor_db, "floor_db");
   require_finite(options.shadow_db, "shadow_db");
+  require_finite_cells(tested, options.polarization, "the tested map");
+  require_finite_cells(truth, options.polarization, "the truth");
   const bool usual = options.cells_m.empty();
   MapComparison comparison{options, {}};
   if (usual) comparison.options.cells_m = sizes_to_compare_at(truth.grid);

@@ -57,10 +57,14 @@ struct MapComparison {
 };
 
 /// Compares two maps of the same cells. Throws Error for a frame that counts in something else than metres, when grid
-/// or frame differ (saying how), when a cell size is no multiple of the maps' cell, and when no cell is left that both
-/// maps saw.
+/// or frame differ (saying how), when a cell is infinitely bright, when a cell size is no multiple of the maps' cell,
+/// and when no cell is left that both maps saw.
 [[nodiscard]] MapComparison compare_maps(const radar::GroundMap& tested, const radar::GroundMap& truth,
                                          const CompareOptions& options = {});
+
+/// Throws Error when a cell of a map is infinitely bright in a polarization, naming the cell and the map as `name`
+/// does.
+void require_finite_cells(const radar::GroundMap& map, radar::Polarization polarization, const std::string& name);
 
 /// The comparison as lines of text for a terminal, with the definitions' options stated. A noise floor (the truth
 /// compared with itself traced from another seed) stands in brackets behind every number;

@@ -77,6 +77,28 @@ TEST(GroundMapFile, BandsMayStandInAnyOrderAndNodataMayBeANumber) {
   EXPECT_TRUE(std::isnan(map.sigma0(1, 0).vv));
 }
 
+// As gdal_translate -b leaves them.
+TEST(GroundMapFile, OfOnePolarizationOnlyItsBandsAreNeeded) {
+  const ScratchFolder folder;
+  const auto path = folder.path("map.tif");
+  geo::GeoRaster raster{.placement = {0.0, 0.0, 1.0, "EPSG:25830"}, .bands = {}, .nodata = {}, .metadata = {}};
+  raster.bands.push_back({"HH", Array2D<float>(2, 1, 3.0F)});
+  geo::write_geotiff(path, raster);
+  const radar::GroundMap map = read_ground_map(path, radar::Polarization::HH);
+  EXPECT_EQ(map.sigma0(1, 0).hh, 3.0F);
+  EXPECT_TRUE(std::isnan(map.sigma0(1, 0).vv));
+  for (const auto& [lacking, band] :
+       {std::pair(radar::Polarization::VV, "VV"), std::pair(radar::Polarization::VH, "HV"),
+        std::pair(radar::Polarization::Sum, "VV")})
+    EXPECT_THAT(message_of_error([&] { (void)read_ground_map(path, lacking); }),
+                testing::HasSubstr(std::string("it has no band named ") + band));
+  raster.bands.push_back({"VV", Array2D<float>(2, 1, 5.0F)});
+  raster.bands.push_back({"HV", Array2D<float>(2, 1, 0.5F)});
+  geo::write_geotiff(path, raster);
+  EXPECT_EQ(read_ground_map(path, radar::Polarization::Sum).sigma0(0, 0).power(radar::Polarization::Sum), 9.0F);
+  EXPECT_THAT(message_of_error([&] { (void)read_ground_map(path); }), testing::HasSubstr("RE_VVHH"));
+}
+
 TEST(GroundMapFile, OtherFilesAreRefusedWithTheReason) {
   const ScratchFolder folder;
   geo::GeoRaster heights;

@@ -7,6 +7,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "scratch_folder.h"
 #include "unit/product/made_up_map.h"
 
 #include "sigmascape/base/error.h"
@@ -53,6 +54,17 @@ TEST(MapMetrics, GainOfTwoIsThreeDecibelsOfBiasAndFullCorrelation) {
     EXPECT_NEAR(row.l1, 1.0, 1e-6);
     EXPECT_NEAR(row.correlation_db, 1.0, 1e-9);
   }
+}
+
+TEST(MapMetrics, AnInfiniteCellIsRefusedWithItsPlace) {
+  const GroundMap map = map_of(16, 16, rough);
+  GroundMap bright = map;
+  bright.sigma0(5, 3).hh = std::numeric_limits<float>::infinity();
+  EXPECT_THAT(message_of_error([&] { static_cast<void>(compare_maps(bright, map)); }),
+              ::testing::StartsWith("the tested map, column 5, row 3: is infinite"));
+  EXPECT_THAT(message_of_error([&] { static_cast<void>(compare_maps(map, bright)); }),
+              ::testing::StartsWith("the truth, column 5, row 3: is infinite"));
+  EXPECT_NO_THROW(static_cast<void>(compare_maps(bright, map, at_cells({})))) << "of VV alone";
 }
 
 TEST(MapMetrics, SwappingTheMapsTurnsTheBiasRound) {
