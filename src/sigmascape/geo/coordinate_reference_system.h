@@ -14,8 +14,8 @@ namespace sigmascape::geo {
 /// The CRS as WKT2 (ISO 19162:2019), on one line. Throws Error when PROJ does not understand it.
 [[nodiscard]] std::string wkt2_from(const std::string& crs);
 
-/// Throws Error at `where` for a known system that a GeoTIFF cannot tell, so that nobody works for a file that will not
-/// be written.
+/// Throws Error at `where` for a known system that a GeoTIFF cannot tell, or of which it would lose the axes, so that
+/// nobody works for a file that will not be written.
 void require_geotiff_keys(const std::string& crs, const std::string& where);
 
 }  // namespace sigmascape::geo

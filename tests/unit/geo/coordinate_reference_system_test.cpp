@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 #include <string>
 
+#include "scratch_folder.h"
+
 #include "sigmascape/base/error.h"
 #include "sigmascape/base/units.h"
 #include "sigmascape/geo/axis_units.h"
@@ -85,6 +87,18 @@ TEST(CoordinateReferenceSystem, IsTheSameUnderAnotherName) {
   EXPECT_FALSE(is_same_crs(named, "EPSG:25830"));
   EXPECT_TRUE(is_same_crs("somewhere", "somewhere"));
   EXPECT_FALSE(is_same_crs("somewhere", "elsewhere"));
+}
+
+// The keys of GeoTIFF name a zone of UTM and no axes: a map whose x counts westward would lie in another ocean.
+TEST(CoordinateReferenceSystem, OneThatAGeotiffDoesNotTellIsRefused) {
+  for (const char* lost :
+       {"+proj=utm +zone=30 +south +datum=WGS84 +axis=wsu", "+proj=utm +zone=30 +datum=WGS84 +axis=neu"})
+    EXPECT_THAT(message_of_error([&] { require_geotiff_keys(lost, "--crs"); }),
+                ::testing::AllOf(StartsWith("--crs: "), ::testing::HasSubstr(lost), ::testing::HasSubstr("axes")));
+  const std::string frame = LocalFrame(43.26, -2.93).proj();
+  for (const std::string kept : {"EPSG:25830", "EPSG:2048", "EPSG:4326", "EPSG:2263", "EPSG:3413", "EPSG:2193",
+                                 "EPSG:4266", "+proj=tmerc +lat_0=43 +lon_0=-3 +datum=WGS84 +axis=wsu", frame.c_str()})
+    EXPECT_NO_THROW(require_geotiff_keys(kept, "--crs")) << kept;
 }
 
 TEST(CoordinateReferenceSystem, WhatIsNoneIsRefused) {
