@@ -9,6 +9,8 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <thread>
+#include <vector>
 
 #include "end_to_end/made_scene.h"
 #include "end_to_end/process.h"
@@ -192,6 +194,44 @@ TEST_F(Dataset, NeverGoesIntoAnAtlasNorAnAtlasIntoIt) {
   made(maker, folder_->path("samples"), {.index = 0, .count = 20});
   EXPECT_EQ(message_of_error([&] { bake_into("samples", 2); }),
             folder_->path("samples").string() + ": holds a dataset; choose an empty folder");
+}
+
+// A killed run has written its own dataset.json before all of them.
+TEST_F(Dataset, NeverTakesThePlaceOfFilesOfOthers) {
+  const dataset::SampleMaker maker(spec({}));
+  for (const auto& [file, told] :
+       {std::pair("annotations.json", "annotations.json"), std::pair("manifest.json", "manifest.json"),
+        std::pair("contact_sheet.png", "contact_sheet.png"), std::pair("samples/000000/map.npy", "samples"),
+        std::pair("index/000000.json", "index"), std::pair("shard-000002.tar", "shard-000002.tar")}) {
+    const fs::path folder = folder_->path(std::string("of_others_") + told);
+    fs::create_directories((folder / file).parent_path());
+    std::ofstream(folder / file) << "of others";
+    EXPECT_EQ(message_of_error([&] { made(maker, folder, {.index = 0, .count = 20}); }),
+              folder.string() + ": holds " + told +
+                  ", which is of no dataset begun here, and would be lost; choose an empty folder");
+    EXPECT_EQ(files_of(folder), (std::map<std::string, std::string>{{file, "of others"}}));
+  }
+  const fs::path beside = folder_->path("beside_others");
+  fs::create_directories(beside);
+  std::ofstream(beside / "spec.toml") << "of others";
+  EXPECT_EQ(message_of_error([&] { made(maker, beside, {.index = 0, .count = 20}); }), "");
+}
+
+// What the first of them writes is not taken for a file of others by the next.
+TEST_F(Dataset, SharesThatBeginAtOnceAllComeToTheirEnd) {
+  const dataset::SampleMaker maker(spec({}));
+  const fs::path folder = folder_->path("at_once");
+  std::vector<std::string> said(4);
+  {
+    std::vector<std::jthread> shares;
+    for (std::size_t share = 0; share < said.size(); ++share) {
+      shares.emplace_back([&, share] {
+        said[share] = message_of_error([&] { made(maker, folder, {.index = share, .count = 4, .threads = 1}); });
+      });
+    }
+  }
+  for (const std::string& words : said) EXPECT_EQ(words, "");
+  EXPECT_EQ(made(maker, folder).already, count);
 }
 
 // Lots of three samples each, of which another run is at the second.

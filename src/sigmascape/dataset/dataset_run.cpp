@@ -95,11 +95,35 @@ std::string difference(const Json& begun, const Json& mine) {
   return fmt::format("{}", fmt::join(differing, " and "));
 }
 
+/// Something in the folder by a name under which a dataset writes; nothing when there is none.
+std::optional<std::string> name_in_use(const fs::path& folder) {
+  for (const char* name : {"annotations.json", "manifest.json", "contact_sheet.png", "index", "samples"})
+    if (fs::exists(folder / name)) return name;
+  std::error_code is_not_there;
+  for (const auto& entry : fs::directory_iterator(folder, is_not_there)) {
+    const std::string name = entry.path().filename().string();
+    if (name.starts_with("shard-") && name.ends_with(".tar")) return name;
+  }
+  return std::nullopt;
+}
+
+/// That a dataset begun in the folder takes the place of nothing.
+void check_free(const fs::path& folder) {
+  const fs::path file = folder / "dataset.json";
+  if (fs::exists(file)) return;
+  if (fs::exists(folder / "collection.json")) throw Error(folder.string(), "holds an atlas", "choose an empty folder");
+  const auto name = name_in_use(folder);
+  // Another run that began here meanwhile wrote its own before all else.
+  if (name && !fs::exists(file)) {
+    throw Error(folder.string(), fmt::format("holds {}, which is of no dataset begun here, and would be lost", *name),
+                "choose an empty folder");
+  }
+}
+
 void claim_folder(const SampleMaker& maker, const fs::path& folder) {
   const fs::path file = folder / "dataset.json";
   const Json mine = identity_of(maker);
-  if (!fs::exists(file) && fs::exists(folder / "collection.json"))
-    throw Error(folder.string(), "holds an atlas", "choose an empty folder");
+  check_free(folder);
   if (!fs::exists(file) && geo::write_if_absent(file, mine.dump(1) + "\n")) return;
   std::ifstream stream(file, std::ios::binary);
   const Json begun = Json::parse(stream, nullptr, false);
