@@ -1,5 +1,9 @@
 """Who listens to long calls."""
 
+import functools
+import os
+import threading
+
 
 class _Bar:
     """A bar by tqdm, shown on terminals only."""
@@ -22,14 +26,28 @@ class _Bar:
         self._bar = self._task = None
 
 
+@functools.cache
+def _tqdm():
+    """The class of tqdm's bars, None where it is not installed."""
+    try:
+        from tqdm.auto import tqdm
+    except ImportError:
+        return None
+    return tqdm
+
+
+# An import holds locks that a child which is forked off meanwhile would find taken for ever: tqdm is looked for once,
+# and forks wait for that.
+_looking = threading.RLock()
+os.register_at_fork(before=_looking.acquire, after_in_parent=_looking.release, after_in_child=_looking.release)
+
+
 def listener(progress):
     """The callable (task, done, total, unit) that `progress` asks for, or None for silence."""
     if progress is False:
         return None
     if progress is not None and progress is not True:
         return progress
-    try:
-        from tqdm.auto import tqdm
-    except ImportError:
-        return None
-    return _Bar(tqdm)
+    with _looking:
+        tqdm = _tqdm()
+    return None if tqdm is None else _Bar(tqdm)

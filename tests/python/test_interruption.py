@@ -117,6 +117,8 @@ def test_tqdm_shows_a_bar_where_it_is_installed(scene, radar, monkeypatch):
     auto.tqdm = Bar
     monkeypatch.setitem(sys.modules, "tqdm.auto", auto)
     monkeypatch.setitem(sys.modules, "tqdm", types.ModuleType("tqdm"))
+    # Whether it is installed was looked up before.
+    monkeypatch.setattr(sigmascape._progress, "_tqdm", sigmascape._progress._tqdm.__wrapped__)
     sigmascape.render(scene, radar, samples=64)
     assert told[0][0] == "made" and told[-1] == ("closed",) and told[-2] == ("at", told[0][2])
     told.clear()

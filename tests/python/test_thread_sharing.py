@@ -58,6 +58,36 @@ for _ in range(5):
 print("alike")
 """
 
+# A search for tqdm that takes long and finds nothing: while it goes on, its thread holds the lock of that import.
+WITHOUT_TQDM = """
+class NoTqdm:
+    def find_spec(self, name, path=None, target=None):
+        if name.partition(".")[0] == "tqdm":
+            time.sleep(0.3)
+            raise ModuleNotFoundError(name)
+sys.meta_path.insert(0, NoTqdm())
+scene = sigmascape.Scene.simple(side_m=96.0)
+radar = sigmascape.Radar(range_resolution_m=4.0, beam_width_deg=0.05, cell_m=4.0)
+radar.see_from(azimuth_deg=180.0, elevation_deg=15.0, slant_range_m=2500.0)
+def layers():
+    return sigmascape.layers(scene, radar, ["shadow"], lod=1, threads=1)["shadow"]
+def work():
+    while True:
+        layers()
+threading.Thread(target=work, daemon=True).start()
+for _ in range(4):
+    time.sleep(0.1)  # into the search
+    child = os.fork()
+    if child == 0:
+        signal.alarm(60)  # a hang ends here
+        assert layers().any()
+        os._exit(0)
+    status = os.waitpid(child, 0)[1]
+    assert status == 0, status
+print("alike", flush=True)
+os._exit(0)
+"""
+
 METADATA = """
 import json
 import numpy as np
@@ -95,6 +125,11 @@ def test_a_process_ends_while_one_daemon_thread_waits_for_another(tmp_path):
 @pytest.mark.skipif("tsan" in os.environ.get("LD_PRELOAD", ""), reason="the thread sanitizer ends processes that fork and make threads")
 def test_a_forked_process_reads_an_atlas_that_a_thread_of_its_parent_was_at(atlas):
     assert ended(FORK, atlas.folder) == ("alike\n", "", 0)
+
+
+@pytest.mark.skipif("tsan" in os.environ.get("LD_PRELOAD", ""), reason="the thread sanitizer ends processes that fork and make threads")
+def test_a_forked_process_does_not_wait_for_what_a_thread_of_its_parent_imported():
+    assert ended(WITHOUT_TQDM) == ("alike\n", "", 0)
 
 
 def test_metadata_may_be_assigned_while_the_map_is_saved(tmp_path):
