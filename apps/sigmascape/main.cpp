@@ -122,6 +122,26 @@ void refuse_empty_values(int argc, char** argv) {
   }
 }
 
+/// CLI11 passes over what stands between two delimiters with nothing between them.
+void refuse_empty_items(const NamedCommand& named, int argc, char** argv) {
+  for (int i = named.last + 1; i < argc; ++i) {
+    const std::string_view word = argv[i];
+    if (word == "--") return;  // what stands behind is no option
+    const std::size_t equals = word.find('=');
+    const std::string name(word.substr(0, equals));
+    const CLI::Option* const option = name.starts_with("--") ? named.command->get_option_no_throw(name) : nullptr;
+    if (option == nullptr || option->get_delimiter() == '\0') continue;
+    const bool has_own_word = equals == std::string_view::npos;
+    if (has_own_word && i + 1 == argc) continue;
+    const std::string_view list = has_own_word ? std::string_view(argv[i + 1]) : word.substr(equals + 1);
+    const char between = option->get_delimiter();
+    if (!list.starts_with(between) && !list.ends_with(between) && list.find(std::string(2, between)) == list.npos)
+      continue;
+    throw CLI::ParseError(fmt::format("{}: has an empty item in {}; put one comma between two", name, list),
+                          CLI::ExitCodes::ValidationError);
+  }
+}
+
 /// Does what the command line asks; 2 when it is not understood.
 int run(int argc, char** argv) {
   CLI::App app{
@@ -142,7 +162,9 @@ int run(int argc, char** argv) {
   add_results_command(Command(app), output);
   try {
     refuse_empty_values(argc, argv);
-    refuse_unknown_options(named_command(app, argc, argv), argc, argv);
+    const NamedCommand named = named_command(app, argc, argv);
+    refuse_unknown_options(named, argc, argv);
+    refuse_empty_items(named, argc, argv);
     app.parse(argc, argv);
   } catch (const CLI::RuntimeError& ended) {
     return ended.get_exit_code();

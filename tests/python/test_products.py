@@ -50,6 +50,15 @@ def made(tmp_path_factory):
     return folder
 
 
+def test_metadata_that_a_geotiff_would_cut_off_are_refused(made, tmp_path):
+    read = sigmascape.GroundMap.read(made / "map.tif")
+    for metadata, name in (({"a": "x\0y"}, "a"), ({"b\0c": "x"}, "b")):
+        read.metadata = metadata
+        with pytest.raises(sigmascape.Error, match=f"has a zero byte in the metadata '{name}', where a GeoTIFF's text ends; leave it out"):
+            read.save(tmp_path / "cut.tif")
+    assert not list(tmp_path.iterdir())
+
+
 @pytest.mark.parametrize("name", ["map.tif", "map_db.tif", "utm.tif", "layers.tif", "power.tif", "power_db.tif", "power_utm.tif"])
 def test_gdal_finds_no_fault_with_cloud_optimised_files(gdal, made, name):
     validator = pytest.importorskip("osgeo_utils.samples.validate_cloud_optimized_geotiff")

@@ -55,6 +55,13 @@ std::string content_of(const std::filesystem::path& file) {
               "allow it to be read, or give the path of another file");
 }
 
+/// What is amiss with a path that names no regular file.
+std::string what_it_is(const std::filesystem::path& path) {
+  return std::filesystem::is_directory(path) ? "is a folder"
+         : std::filesystem::exists(path)     ? "is no regular file, but a pipe or a device"
+                                             : "does not exist";
+}
+
 std::string range_text(Interval allowed) {
   const std::string unit = allowed.unit.empty() ? "" : fmt::format(" {}", allowed.unit);
   return fmt::format("give a number from {:g} to {:g}{}", allowed.lowest, allowed.highest, unit);
@@ -81,9 +88,9 @@ const toml::node* find(const toml::table& table, std::string_view key) {
 TomlSection TomlSection::read_file(const std::filesystem::path& file) {
   if (!std::filesystem::is_regular_file(file)) {
     throw Error(file.empty() ? "name of a TOML file" : file.string(),
-                file.empty()                          ? "is empty"
-                : std::filesystem::is_directory(file) ? "is a folder"
-                                                      : "the file does not exist",
+                file.empty()                    ? "is empty"
+                : std::filesystem::exists(file) ? what_it_is(file)
+                                                : "the file does not exist",
                 "give the path of a TOML file");
   }
   // Read here: the parser tells of a file that it may not open as of one with a fault in line 0.
@@ -275,7 +282,7 @@ std::optional<std::filesystem::path> TomlSection::optional_file(std::string_view
   if (!written) return std::nullopt;
   auto path = expanded_path(*written, table_->file.parent_path(), where(key));
   if (!is_virtual(path) && !std::filesystem::is_regular_file(path) && !std::filesystem::is_directory(path)) {
-    throw fault(key, fmt::format("the file {} does not exist", path.string()),
+    throw fault(key, fmt::format("the file {} {}", path.string(), what_it_is(path)),
                 "correct the path, which is relative to the TOML file");
   }
   return path;

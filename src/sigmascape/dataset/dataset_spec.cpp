@@ -291,6 +291,14 @@ std::string radar_hash(const std::filesystem::path& path) {
   return digest.hex_digest();
 }
 
+/// A TOML file that a key names.
+std::filesystem::path toml_file(const TomlSection& section, std::string_view key) {
+  const std::filesystem::path path = section.file(key);
+  if (std::filesystem::is_directory(path))
+    throw section.fault(key, fmt::format("{} is a folder", path.string()), "give the path of a TOML file");
+  return path;
+}
+
 void read_radar(const std::filesystem::path& path, DatasetSpec& spec) {
   simulate::require_real_beam(path, "datasets are made of real-beam maps");
   spec.radar = radar::read_radar_file(path, radar::PlaceOfRadar::Optional);
@@ -307,9 +315,9 @@ DatasetSpec read_dataset_spec(const std::filesystem::path& path) {
   DatasetSpec spec;
   spec.file = path;
   spec.text = text_of(path);
-  spec.scene = section.file("scene");
+  spec.scene = toml_file(section, "scene");
   spec.atlas = section.optional_file("atlas");
-  read_radar(section.file("radar"), spec);
+  read_radar(toml_file(section, "radar"), spec);
   constexpr Interval counts{1.0, 1e8, "samples"};
   static_cast<void>(section.number("count", counts));
   spec.count = static_cast<std::size_t>(section.whole_number_or("count", counts, 1));

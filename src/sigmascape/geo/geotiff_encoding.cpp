@@ -27,6 +27,12 @@ GDALDatasetUniquePtr floats_in_memory(std::string_view what, int columns, int ro
       throw Error(std::string(what), fmt::format("has the metadata key '{}', which a GeoTIFF cannot hold", key),
                   "name it without equals signs and colons");
     }
+    if (key.find('\0') != std::string::npos || value.find('\0') != std::string::npos) {
+      throw Error(std::string(what),
+                  fmt::format("has a zero byte in the metadata '{}', where a GeoTIFF's text ends",
+                              key.substr(0, key.find('\0'))),
+                  "leave it out");
+    }
     dataset->SetMetadataItem(key.c_str(), value.c_str());
   }
   return dataset;

@@ -127,6 +127,18 @@ TEST_F(DatasetSpecFile, NamesAllLayersThatThereAre) {
                 "class, height; of bounces there are bounce1 to bounce9 and multibounce"));
 }
 
+TEST_F(DatasetSpecFile, TakesNoFolderForAFile) {
+  std::filesystem::create_directories(folder_.path("flat"));
+  folder_.write("scene.toml", "[paper]\n");
+  for (const auto& [key, file] : {std::pair("radar", "scene = \"scene.toml\"\nradar = \"flat\"\n"),
+                                  std::pair("scene", "scene = \"flat\"\nradar = \"scene.toml\"\n")}) {
+    const auto spec = folder_.write("spec.toml", std::string("[dataset]\ncount = 4\n") + file);
+    EXPECT_EQ(message_of_error([&] { static_cast<void>(read_dataset_spec(spec)); }),
+              spec.string() + ": dataset." + key + ": " + folder_.path("flat").string() +
+                  " is a folder; give the path of a TOML file");
+  }
+}
+
 TEST_F(DatasetSpecFile, TakesNothingTwice) {
   EXPECT_EQ(fault_of("4\nlayers = [\"shadow\", \"class\"]\npolarizations = [\"VV\", \"HV\"]"), "");
   EXPECT_THAT(fault_of("4\nlayers = [\"shadow\", \"class\", \"shadow\"]"),
