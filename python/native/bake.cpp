@@ -1,15 +1,19 @@
 #include "sigmascape/bake/bake.h"
 
 #include <algorithm>
+#include <optional>
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
+#include "given_number.h"
 #include "loaded_scene.h"
 #include "long_call.h"
 #include "parts.h"
 #include "python_progress.h"
+#include "whole_number.h"
 
 #include "sigmascape/atlas/aspect_grid.h"
+#include "sigmascape/atlas/patch_grid.h"
 #include "sigmascape/base/error.h"
 #include "sigmascape/base/units.h"
 
@@ -17,6 +21,13 @@ namespace sigmascape::python {
 namespace {
 
 namespace py = pybind11;
+
+using Azimuths = Whole<"azimuths", unsigned, 1, atlas::most_azimuths>;
+using PatchTexels = Whole<"patch_texels", std::size_t, atlas::tile_side, atlas::most_texels_per_side>;
+using RaysATexel = Whole<"samples", std::uint32_t, 2, bake::most_samples_a_cell>;
+using MostSamples = Whole<"most_samples", std::uint32_t, bake::pilot_samples, bake::most_samples_a_cell>;
+using BakeBounces = Whole<"bounces", int, 1, 64>;
+using MantissaBits = Whole<"mantissa_bits", int, 1, 10>;
 
 struct BakeArguments {
   unsigned azimuths = 8;
@@ -30,6 +41,22 @@ bool is_second(const char* name, const std::string& word, const char* first, con
   return word == second;
 }
 
+/// Rays by number, or by the standard error that they are to bring: one of the two, as on the command line.
+bake::Sampling sampling_from(std::optional<RaysATexel> samples, std::optional<double> target_db,
+                             std::optional<MostSamples> most_samples) {
+  bake::Sampling sampling;
+  for (const auto& [name, is_given] :
+       {std::pair("target_db", target_db.has_value()), std::pair("most_samples", most_samples.has_value())}) {
+    if (samples && is_given)
+      throw Error(name, "is given, and samples says how many rays a texel gets", "leave out one of them");
+  }
+  if (target_db) within("target_db", *target_db, bake::least_target_db, bake::most_target_db);
+  sampling.samples_per_texel = samples ? *samples : 0;
+  sampling.target_db = target_db.value_or(sampling.target_db);
+  if (most_samples) sampling.most_samples = *most_samples;
+  return sampling;
+}
+
 bake::BakeSettings with_axes(bake::BakeSettings settings, const BakeArguments& arguments) {
   settings.aspects = {};
   settings.aspects.azimuths_rad = atlas::even_azimuths(arguments.azimuths);
@@ -41,17 +68,16 @@ bake::BakeSettings with_axes(bake::BakeSettings settings, const BakeArguments& a
   return settings;
 }
 
-bake::BakeReport baked(const LoadedScene& scene, const std::filesystem::path& folder, unsigned azimuths,
+bake::BakeReport baked(const LoadedScene& scene, const std::filesystem::path& folder, Azimuths azimuths,
                        const std::vector<double>& elevations_deg, const std::vector<double>& frequencies_ghz,
-                       double texel_m, std::size_t patch_texels, std::uint32_t samples, double target_db,
-                       std::uint32_t most_samples, int bounces, std::uint64_t seed, const std::string& shadows,
-                       const std::string& noise, int mantissa_bits, const std::string& digits, const std::string& shard,
-                       unsigned threads, const py::object& progress) {
+                       double texel_m, PatchTexels patch_texels, std::optional<RaysATexel> samples,
+                       std::optional<double> target_db, std::optional<MostSamples> most_samples, BakeBounces bounces,
+                       Seed seed, const std::string& shadows, const std::string& noise, MantissaBits mantissa_bits,
+                       const std::string& digits, const std::string& shard, Threads threads,
+                       const py::object& progress) {
   bake::BakeSettings settings;
   settings.patches = {.texel_m = texel_m, .texels_per_side = patch_texels};
-  settings.sampling.samples_per_texel = samples;
-  settings.sampling.target_db = target_db;
-  settings.sampling.most_samples = most_samples;
+  settings.sampling = sampling_from(samples, target_db, most_samples);
   settings.max_bounces = bounces;
   settings.seed = seed;
   settings.shadows = is_second("shadows", shadows, "run-time", "baked") ? bake::Shadows::Baked : bake::Shadows::RunTime;
@@ -81,14 +107,13 @@ void add_bake(py::module_& module) {
         return py::str("<sigmascape.BakeReport looks={} already={} rays={}>").format(r.looks, r.already, r.counts.rays);
       });
 
-  const bake::Sampling sampling;
   const bake::BakeSettings settings;
   module.def(
       "bake", &baked, py::arg("scene"), py::arg("folder"), py::kw_only(), py::arg("azimuths") = 8,
       py::arg("elevations_deg") = std::vector<double>{5.0, 13.0, 21.0, 29.0, 37.0},
       py::arg("frequencies_ghz") = std::vector<double>{10.0}, py::arg("texel_m") = settings.patches.texel_m,
-      py::arg("patch_texels") = settings.patches.texels_per_side, py::arg("samples") = 0,
-      py::arg("target_db") = sampling.target_db, py::arg("most_samples") = sampling.most_samples,
+      py::arg("patch_texels") = settings.patches.texels_per_side, py::arg("samples") = py::none(),
+      py::arg("target_db") = py::none(), py::arg("most_samples") = py::none(),
       py::arg("bounces") = settings.max_bounces, py::arg("seed") = settings.seed, py::arg("shadows") = "run-time",
       py::arg("noise") = "own", py::arg("mantissa_bits") = settings.mantissa_bits, py::arg("digits") = "to-noise",
       py::arg("shard") = "0/1", py::arg("threads") = 0, py::arg("progress") = py::none(),
@@ -96,7 +121,8 @@ void add_bake(py::module_& module) {
       "goes\n"
       "on where it stopped.\n\n"
       "azimuths: how many, evenly spaced from north. texel_m: side of a texel. patch_texels: 256, 512, 1024, ...\n"
-      "samples: rays a texel everywhere; 0: as many as bring its standard error to target_db, most_samples at most.\n"
+      "samples: rays a texel everywhere; None: as many as bring its standard error to target_db (0.4 when None),\n"
+      "most_samples (128 when None) at most.\n"
       "bounces: surfaces a path may meet. shadows: of objects on the ground, made at 'run-time' or 'baked'.\n"
       "noise: of what came over several surfaces, 'own', or 'shared' where texels share what their rays leave in "
       "doubt.\n"

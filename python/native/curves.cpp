@@ -23,6 +23,10 @@ namespace py = pybind11;
 using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
 using Curve = std::pair<std::vector<double>, std::vector<double>>;
 
+/// Beyond them sine and cosine of a number say little.
+constexpr Interval azimuths_deg{-1e6, 1e6, "°"};
+constexpr Interval offsets_m{-1e7, 1e7, "m"};
+
 std::vector<py::ssize_t> shape_of(const Numbers& numbers) {
   return {numbers.shape(), numbers.shape() + numbers.ndim()};
 }
@@ -42,10 +46,13 @@ py::array_t<float> material_sigma0(const std::string& name, const Numbers& grazi
   return result;
 }
 
+/// Over every number of an array, of which all lie within these bounds.
 template <typename Function>
-py::array_t<double> mapped(const Numbers& numbers, const Function& function) {
+py::array_t<double> mapped(const std::string& name, const Numbers& numbers, const Interval& allowed,
+                           const Function& function) {
   py::array_t<double> result(shape_of(numbers));
-  for (py::ssize_t i = 0; i < numbers.size(); ++i) result.mutable_data()[i] = function(numbers.data()[i]);
+  for (py::ssize_t i = 0; i < numbers.size(); ++i)
+    result.mutable_data()[i] = function(within(name, numbers.data()[i], allowed));
   return result;
 }
 
@@ -91,8 +98,9 @@ void add_curves(py::module_& module) {
   module.def(
       "antenna_gain_db",
       [](const radar::RadarFile& radar, const Numbers& azimuth_deg, double elevation_deg) {
+        within("elevation_deg", elevation_deg, -90.0, 90.0);
         const auto pattern = radar::antenna_pattern(radar.radar);
-        return mapped(azimuth_deg, [&](double offset_deg) {
+        return mapped("azimuth_deg", azimuth_deg, azimuths_deg, [&](double offset_deg) {
           return db_from_linear(pattern.gain(radians_from_deg(offset_deg), radians_from_deg(elevation_deg)));
         });
       },
@@ -104,7 +112,8 @@ void add_curves(py::module_& module) {
       [](const radar::RadarFile& radar, const Numbers& offset_m) {
         const auto response =
             radar::RangeResponse::of_width(radar.radar.range_resolution_m, radar.radar.waveform.window);
-        return mapped(offset_m, [&](double offset) { return db_from_linear(response.power(offset)); });
+        return mapped("offset_m", offset_m, offsets_m,
+                      [&](double offset) { return db_from_linear(response.power(offset)); });
       },
       py::arg("radar"), py::arg("offset_m"),
       "Power of the compressed pulse at offsets of slant range from a point, dB relative to its peak, negative beside\n"

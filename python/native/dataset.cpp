@@ -4,6 +4,7 @@
 #include "parts.h"
 #include "python_progress.h"
 #include "python_warnings.h"
+#include "whole_number.h"
 
 #include "sigmascape/bake/shard.h"
 #include "sigmascape/dataset/dataset_run.h"
@@ -16,7 +17,7 @@ namespace py = pybind11;
 using dataset::DatasetReport;
 
 DatasetReport made(const std::filesystem::path& spec, const std::filesystem::path& folder, const std::string& shard,
-                   unsigned threads, const py::object& progress) {
+                   Threads threads, const py::object& progress) {
   PythonProgress listener(progress);
   return long_call([&] {
     const bake::Shard share = bake::shard_from(shard);

@@ -15,6 +15,7 @@
 #include "loaded_scene.h"
 #include "long_call.h"
 #include "origin_words.h"
+#include "whole_number.h"
 
 #include "sigmascape/base/error.h"
 #include "sigmascape/render/live_renderer.h"
@@ -23,6 +24,12 @@
 namespace sigmascape::python {
 
 using Triple = std::array<double, 3>;
+using Beams = Whole<"beams", std::uint32_t, 1>;
+using Ranges = Whole<"ranges", std::uint32_t, 1>;
+using RaysPerCell = Whole<"rays_per_cell", std::uint32_t, 1>;
+using FirstBeam = Whole<"first_beam", std::uint32_t>;
+using BeamCount = Whole<"count", std::uint32_t, 1>;
+using Pulse = Whole<"pulse", std::uint64_t>;
 
 /// What Python holds of a class that draws live frames, `Drawer`, and what that draws on.
 template <typename Drawer>
@@ -117,7 +124,7 @@ void bind_drawing(pybind11::class_<Held<DrawnLive<Drawer>>>& binding, const char
   binding.def(
       "render",
       [](const py::object& self, const Triple& position_m, double first_azimuth_rad, double first_range_m,
-         const Triple& velocity_mps, double time_s, std::uint64_t dwell_number, std::uint64_t pulse_number) {
+         const Triple& velocity_mps, double time_s, Dwell dwell_number, Pulse pulse_number) {
         return drawn<Drawer>(
             self,
             pose_from(position_m, first_azimuth_rad, first_range_m, velocity_mps, {time_s, dwell_number, pulse_number}),
@@ -128,8 +135,8 @@ void bind_drawing(pybind11::class_<Held<DrawnLive<Drawer>>>& binding, const char
   binding.def(
       "scan",
       [](const py::object& self, const Triple& position_m, double first_azimuth_rad, double first_range_m,
-         std::size_t first_beam, std::size_t count, const Triple& velocity_mps, double time_s,
-         std::uint64_t dwell_number, std::uint64_t pulse_number) {
+         FirstBeam first_beam, BeamCount count, const Triple& velocity_mps, double time_s, Dwell dwell_number,
+         Pulse pulse_number) {
         return drawn<Drawer>(
             self,
             pose_from(position_m, first_azimuth_rad, first_range_m, velocity_mps, {time_s, dwell_number, pulse_number}),

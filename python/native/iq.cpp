@@ -15,6 +15,7 @@
 #include "origin_words.h"
 #include "parts.h"
 #include "python_warnings.h"
+#include "whole_number.h"
 
 #include "sigmascape/base/error.h"
 #include "sigmascape/product/iq_file.h"
@@ -136,8 +137,8 @@ double spacing_of_strip_m(const radar::Radar& radar, const radar::Rectangle&, co
 
 Described<radar::PhaseHistory> phase_history(const LoadedAtlas& atlas, const radar::RadarFile& radar,
                                              std::optional<double> interval_s, const Targets& targets, bool calibrated,
-                                             double scatterer_spacing_m, std::uint64_t seed, double time_s,
-                                             std::uint64_t dwell, unsigned threads) {
+                                             double scatterer_spacing_m, Seed seed, double time_s, Dwell dwell,
+                                             Threads threads) {
   const auto unplanned = [](const radar::Radar&, Vec3d) { return std::optional<radar::CoherentPlan>(); };
   auto pulses = made(&simulate::phase_history, &spacing_of_pulses_m, unplanned, atlas, radar, targets, time_s,
                      {.scatterer_spacing_m = scatterer_spacing_m,
@@ -161,8 +162,8 @@ radar::CoherentPlan plan_with(radar::Radar radar, radar::Mode mode, std::optiona
 
 Described<radar::RangeDopplerImage> range_doppler(const LoadedAtlas& atlas, const radar::RadarFile& radar,
                                                   std::optional<double> interval_s, const Targets& targets,
-                                                  double scatterer_spacing_m, std::uint64_t seed, double time_s,
-                                                  std::uint64_t dwell, unsigned threads) {
+                                                  double scatterer_spacing_m, Seed seed, double time_s, Dwell dwell,
+                                                  Threads threads) {
   if (interval_s) within("interval_s", *interval_s, radar::bounds::intervals_s);
   const Plan plan = [interval_s](const radar::Radar& placed, Vec3d aim) {
     const bool has_mode = placed.mode == radar::Mode::DopplerBeamSharpening || placed.mode == radar::Mode::Spotlight;
@@ -176,8 +177,8 @@ Described<radar::RangeDopplerImage> range_doppler(const LoadedAtlas& atlas, cons
 
 Described<radar::StripmapImage> stripmap(const LoadedAtlas& atlas, const radar::RadarFile& radar,
                                          std::optional<double> along_resolution_m, const Targets& targets,
-                                         double scatterer_spacing_m, std::uint64_t seed, double time_s,
-                                         std::uint64_t dwell, unsigned threads) {
+                                         double scatterer_spacing_m, Seed seed, double time_s, Dwell dwell,
+                                         Threads threads) {
   if (along_resolution_m) within("along_resolution_m", *along_resolution_m, radar::bounds::along_resolutions_m);
   const Plan plan = [along_resolution_m](const radar::Radar& placed, Vec3d aim) {
     if (along_resolution_m)

@@ -10,6 +10,7 @@
 
 #include "array_view.h"
 #include "gil.h"
+#include "given_number.h"
 #include "loaded_atlas.h"
 #include "loaded_scene.h"
 #include "long_call.h"
@@ -17,6 +18,7 @@
 #include "python_progress.h"
 #include "python_warnings.h"
 #include "trace_arguments.h"
+#include "whole_number.h"
 
 #include "sigmascape/atlas/ground_layers.h"
 #include "sigmascape/base/error.h"
@@ -54,7 +56,6 @@ void check_names(const std::vector<std::string>& names) {
 
 LayerStack traced(const LoadedScene& scene, const std::vector<std::string>& names, const radar::Radar& radar,
                   const radar::GroundGrid& grid, const simulate::TraceSettings& settings, ProgressListener& progress) {
-  check_rays(settings);
   LayerStack stack = simulate::traced_layers(scene.scene(), scene.geometry(), radar, grid, shapes_in(names),
                                              settings.threads, settings.targets);
   if (std::ranges::none_of(names, dataset::tells_bounces)) return stack;
@@ -82,9 +83,8 @@ LayerStack swept(const LoadedScene& loaded, const LoadedAtlas* atlas, const std:
 
 LayerStack layers(const LoadedScene& scene, const radar::RadarFile& radar_file, const std::vector<std::string>& names,
                   std::optional<int> lod, const std::shared_ptr<LoadedAtlas>& atlas,
-                  const std::vector<radar::TargetSource>& targets, std::uint32_t samples, int bounces,
-                  std::uint64_t seed, double time_s, std::uint64_t dwell, unsigned threads,
-                  const py::object& progress) {
+                  const std::vector<radar::TargetSource>& targets, RaysACell samples, Bounces bounces, Seed seed,
+                  double time_s, Dwell dwell, Threads threads, const py::object& progress) {
   within("time_s", time_s, radar::bounds::moments_s);
   check_names(names);
   const int level_of_detail = checked_lod(lod.value_or(atlas ? 1 : 0));

@@ -22,11 +22,13 @@ namespace py = pybind11;
 using render::LiveGround;
 
 using GroundRenderer = DrawnLive<render::LiveRenderer>;
+using CacheMib = Whole<"cache_mib", std::size_t, 0, std::numeric_limits<std::size_t>::max() / (std::size_t{1} << 20U)>;
+using Loaders = Whole<"loaders", unsigned, 1, render::most_loaders>;
 
 std::unique_ptr<Held<GroundRenderer>> made_renderer(const Held<LiveGround>& held, const std::string& content,
-                                                    std::size_t beams, std::size_t ranges, double beam_step_rad,
-                                                    double range_step_m, double cells_per_bin, std::uint64_t seed,
-                                                    unsigned threads, double refraction) {
+                                                    Beams beams, Ranges ranges, double beam_step_rad,
+                                                    double range_step_m, double cells_per_bin, Seed seed,
+                                                    Threads threads, double refraction) {
   // Until it is made, not while Python writes down what it is: its table of instances is the GIL's.
   const WithoutGil working;
   const auto settings =
@@ -151,16 +153,13 @@ void add_live(py::module_& module) {
                                "An atlas with its terrain as live renderers share it: pages come and go within a bound "
                                "on memory. Of the process\n"
                                "that made it: others, forked ones too, make their own.")
-      .def(py::init(
-               [](const std::filesystem::path& folder, double frequency_ghz, std::size_t cache_mib, unsigned loaders) {
-                 if (cache_mib > std::numeric_limits<std::size_t>::max() >> 20U)
-                   throw Error("cache_mib", "is more than any memory", "give what pages may take, in MiB");
-                 return long_call([&] {
-                   return std::make_unique<Held<LiveGround>>(
-                       "LiveGround", LiveGround::open(folder, frequency_ghz * 1e9,
-                                                      {.budget_bytes = cache_mib << 20U, .loaders = loaders}));
-                 });
-               }),
+      .def(py::init([](const std::filesystem::path& folder, double frequency_ghz, CacheMib cache_mib, Loaders loaders) {
+             return long_call([&] {
+               return std::make_unique<Held<LiveGround>>(
+                   "LiveGround", LiveGround::open(folder, frequency_ghz * 1e9,
+                                                  {.budget_bytes = std::size_t{cache_mib} << 20U, .loaders = loaders}));
+             });
+           }),
            py::arg("folder"), py::kw_only(), py::arg("frequency_ghz") = 10.0, py::arg("cache_mib") = 512,
            py::arg("loaders") = 1,
            "folder: of the atlas, with its terrain. frequency_ghz: of the renderers over it. cache_mib: what pages,\n"

@@ -14,10 +14,9 @@ using SceneFlight = DrawnLive<simulate::LiveFlight>;
 
 std::unique_ptr<Held<SceneFlight>> made_flight(std::shared_ptr<LoadedScene> scene,
                                                const Held<render::LiveGround>& ground, const std::string& content,
-                                               std::size_t beams, std::size_t ranges, double beam_step_rad,
-                                               double range_step_m, double cells_per_bin, std::uint64_t seed,
-                                               unsigned threads, double refraction, std::uint32_t rays_per_cell,
-                                               int bounces) {
+                                               Beams beams, Ranges ranges, double beam_step_rad, double range_step_m,
+                                               double cells_per_bin, Seed seed, Threads threads, double refraction,
+                                               RaysPerCell rays_per_cell, Bounces bounces) {
   const auto settings =
       settings_from(content, beams, ranges, beam_step_rad, range_step_m, cells_per_bin, seed, threads, refraction);
   // What rays meet takes longest to build, and is built where signals are heard.

@@ -15,10 +15,10 @@ namespace py = pybind11;
 using SceneTracer = DrawnLive<simulate::LiveTracer>;
 
 std::unique_ptr<Held<SceneTracer>> made_tracer(std::shared_ptr<LoadedScene> scene, const std::string& content,
-                                               std::size_t beams, std::size_t ranges, double beam_step_rad,
-                                               double range_step_m, double cells_per_bin, std::uint64_t seed,
-                                               unsigned threads, double refraction, double frequency_ghz,
-                                               std::uint32_t rays_per_cell, int bounces, double lattice_m) {
+                                               Beams beams, Ranges ranges, double beam_step_rad, double range_step_m,
+                                               double cells_per_bin, Seed seed, Threads threads, double refraction,
+                                               double frequency_ghz, RaysPerCell rays_per_cell, Bounces bounces,
+                                               double lattice_m) {
   const auto settings =
       settings_from(content, beams, ranges, beam_step_rad, range_step_m, cells_per_bin, seed, threads, refraction);
   // What rays meet takes longest to build, and is built where signals are heard.

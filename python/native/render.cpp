@@ -2,6 +2,7 @@
 #include <optional>
 #include <pybind11/stl.h>
 
+#include "given_number.h"
 #include "loaded_atlas.h"
 #include "loaded_scene.h"
 #include "long_call.h"
@@ -9,6 +10,7 @@
 #include "python_progress.h"
 #include "python_warnings.h"
 #include "trace_arguments.h"
+#include "whole_number.h"
 
 #include "sigmascape/base/error.h"
 #include "sigmascape/product/described_map.h"
@@ -85,7 +87,6 @@ Seen traced(const LoadedScene* scene, const Wish& wish, const simulate::TraceSet
                 fmt::format("0 traces power alone, and {} needs amplitudes", simulate::word_for(wish.radar.mode)),
                 "give the atlas that bake() made, or set the radar's mode to 'real-beam'");
   }
-  check_rays(settings);
   trace::TraceCounts counts;
   auto image = simulate::traced_image(scene->scene(), scene->geometry(), wish.radar, wish.grid.extent(), settings,
                                       counts, &progress);
@@ -178,9 +179,8 @@ auto mapped(const std::shared_ptr<LoadedScene>& scene, const radar::RadarFile& r
 
 radar::GroundMap rendered(const std::shared_ptr<LoadedScene>& scene, const radar::RadarFile& radar,
                           std::optional<int> lod, const std::shared_ptr<LoadedAtlas>& atlas,
-                          const std::vector<radar::TargetSource>& targets, std::uint32_t samples, int bounces,
-                          std::uint64_t seed, double time_s, std::uint64_t dwell, unsigned threads,
-                          const py::object& progress) {
+                          const std::vector<radar::TargetSource>& targets, RaysACell samples, Bounces bounces,
+                          Seed seed, double time_s, Dwell dwell, Threads threads, const py::object& progress) {
   return mapped(scene, radar, atlas, {lod, targets, samples, bounces, seed, time_s, dwell, threads}, progress,
                 [&](Seen& seen, const Wish& wish) {
                   return seen.image ? product::ground_map(*seen.image, *wish.ground.terrain, wish.grid, threads)
@@ -190,9 +190,8 @@ radar::GroundMap rendered(const std::shared_ptr<LoadedScene>& scene, const radar
 
 radar::PowerMap received(const std::shared_ptr<LoadedScene>& scene, const radar::RadarFile& radar,
                          std::optional<int> lod, const std::shared_ptr<LoadedAtlas>& atlas,
-                         const std::vector<radar::TargetSource>& targets, std::uint32_t samples, int bounces,
-                         std::uint64_t seed, double time_s, std::uint64_t dwell, unsigned threads,
-                         const py::object& progress) {
+                         const std::vector<radar::TargetSource>& targets, RaysACell samples, Bounces bounces, Seed seed,
+                         double time_s, Dwell dwell, Threads threads, const py::object& progress) {
   if (radar.radar.mode != radar::Mode::RealBeam) {
     throw Error("radar.mode",
                 fmt::format("is {}, which works on many pulses, and received power is of single ones",

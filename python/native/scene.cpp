@@ -7,6 +7,7 @@
 #include "long_call.h"
 #include "parts.h"
 #include "python_warnings.h"
+#include "whole_number.h"
 
 #include "sigmascape/base/error.h"
 #include "sigmascape/scene/paper_scene.h"
@@ -69,7 +70,7 @@ py::dict info_of(const LoadedScene& loaded) {
   return info;
 }
 
-std::shared_ptr<LoadedScene> made_up_town(double scale, std::uint64_t seed, const std::string& materials) {
+std::shared_ptr<LoadedScene> made_up_town(double scale, Seed seed, const std::string& materials) {
   if (materials != "paper" && materials != "itu")
     throw Error("materials", "is '" + materials + "'", "give 'paper' or 'itu'");
   const auto constants = materials == "itu" ? scene::PaperMaterials::Itu : scene::PaperMaterials::Paper;

@@ -7,6 +7,7 @@
 
 #include "given_number.h"
 #include "parts.h"
+#include "whole_number.h"
 
 #include "sigmascape/base/error.h"
 #include "sigmascape/base/units.h"
@@ -21,6 +22,7 @@ using radar::TargetSource;
 using Pair = std::array<double, 2>;
 using Triple = std::array<double, 3>;
 using WayPoint = std::array<double, 4>;
+using SwerlingCase = Whole<"swerling", int, 0, 4>;
 
 struct TargetArguments {
   Pair position_m{};
@@ -85,10 +87,8 @@ void place(TargetSource& source, const TargetArguments& arguments) {
 TargetSource made(const Pair& position_m, const std::string& name, double rcs_dbsm,
                   const std::optional<double>& hv_dbsm, const std::string& bounces,
                   const std::optional<double>& height_m, const std::optional<double>& altitude_m, double speed_mps,
-                  double heading_deg, double climb_mps, const std::vector<WayPoint>& way_points, int swerling,
-                  const Triple& size_m, std::uint64_t seed) {
-  if (swerling < 0 || swerling > 4)
-    throw Error("swerling", fmt::format("is {}", swerling), "give a case from 0 (steady) to 4");
+                  double heading_deg, double climb_mps, const std::vector<WayPoint>& way_points, SwerlingCase swerling,
+                  const Triple& size_m, Seed seed) {
   all_within("position_m", position_m, -1e7, 1e7);
   within("rcs_dbsm", rcs_dbsm, -100.0, 100.0);
   if (hv_dbsm) within("hv_dbsm", *hv_dbsm, -100.0, 100.0);
@@ -103,7 +103,7 @@ TargetSource made(const Pair& position_m, const std::string& name, double rcs_db
   source.where = name;
   source.target.name = name;
   source.target.rcs_m2 = rcs_of(rcs_dbsm, hv_dbsm, bounces);
-  source.target.fluctuation = static_cast<radar::Swerling>(swerling);
+  source.target.fluctuation = static_cast<radar::Swerling>(int{swerling});
   source.target.seed = seed;
   source.target.size_m = {size_m[0], size_m[1], size_m[2]};
   place(source, {position_m, height_m, altitude_m, speed_mps, heading_deg, climb_mps, way_points});

@@ -36,6 +36,17 @@ def test_antenna_and_pulse_are_at_half_power_where_they_should_be():
     assert sigmascape.range_response_db(radar, [-1.5, 0.0, 1.5]) == pytest.approx([-10 * np.log10(2.0), 0.0, -10 * np.log10(2.0)], abs=1e-4)
 
 
+@pytest.mark.parametrize("number", [float("nan"), float("inf"), -float("inf")])
+def test_curves_are_not_asked_for_at_what_is_no_number(number):
+    radar = sigmascape.Radar(range_resolution_m=3.0, beam_width_deg=2.0)
+    with pytest.raises(sigmascape.Error, match="elevation_deg: is -?(nan|inf); give a number from -90 to 90"):
+        sigmascape.antenna_gain_db(radar, [0.0], elevation_deg=number)
+    with pytest.raises(sigmascape.Error, match="azimuth_deg: is -?(nan|inf); give a number from"):
+        sigmascape.antenna_gain_db(radar, [0.0, number])
+    with pytest.raises(sigmascape.Error, match="offset_m: is -?(nan|inf); give a number from"):
+        sigmascape.range_response_db(radar, [0.0, number])
+
+
 def pixels_of(path):
     data = path.read_bytes()
     width, height = struct.unpack(">II", data[16:24])

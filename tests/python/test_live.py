@@ -53,8 +53,14 @@ def test_wrong_settings_are_refused(atlas):
         sigmascape.LiveRenderer(ground, content="colours")
     with pytest.raises(sigmascape.Error):
         sigmascape.LiveGround(atlas.folder, frequency_ghz=94.0)
-    with pytest.raises(sigmascape.Error, match="cache_mib: is more than any memory"):
+    with pytest.raises(sigmascape.Error, match="cache_mib: is 17592186044416; give a whole number from 0 to 17592186044415"):
         sigmascape.LiveGround(atlas.folder, cache_mib=2**44)
+    for loaders in (0, 257):
+        with pytest.raises(sigmascape.Error, match=f"loaders: is {loaders}; give a whole number from 1 to 256"):
+            sigmascape.LiveGround(atlas.folder, loaders=loaders)
+    for name in ("beams", "ranges", "seed", "threads"):
+        with pytest.raises(sigmascape.Error, match=f"{name}: is -1; give a whole number from [01] to [0-9]+$"):
+            sigmascape.LiveRenderer(ground, **{name: -1})
     with pytest.raises(sigmascape.Error, match="y_m: is nan"):
         ground.height_at(0.0, float("nan"))
 

@@ -205,8 +205,8 @@ def test_maps_of_a_later_moment_are_of_what_has_moved(scene, atlas, flying, lod)
 
 
 @pytest.mark.parametrize("names, options, words", [
-    (["bounce1"], dict(samples=0), "samples: is 0; give a number from 1 to 16777216"),
-    (["bounce1"], dict(bounces=0), "bounces: is 0; give a number from 1 to 255"),
+    (["bounce1"], dict(samples=0), "samples: is 0; give a whole number from 1 to 16777216"),
+    (["bounce1"], dict(bounces=0), "bounces: is 0; give a whole number from 1 to 255"),
     (["bounce1"], dict(bounces=-5), "bounces: is -5"),
     (["bounce1"], dict(bounces=300), "bounces: is 300"),
     (["shadow"], dict(lod=-1), "lod: is negative"),

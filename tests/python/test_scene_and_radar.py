@@ -309,6 +309,49 @@ def test_errors_say_where_what_and_what_would_be_right(action, words):
     assert issubclass(sigmascape.Error, ValueError)
 
 
+def whole_numbers(scene, radar, atlas, name, number):
+    """Calls that take a whole number of that name."""
+    given = {name: number}
+    if name in ("samples", "bounces", "seed", "threads", "dwell"):
+        yield lambda: sigmascape.render(scene, radar, **given)
+        yield lambda: sigmascape.received_power(scene, radar, **given)
+        yield lambda: sigmascape.layers(scene, radar, ["shadow"], **given)
+    if name in ("seed", "threads", "dwell"):
+        yield lambda: sigmascape.phase_history(atlas, radar, **given)
+        yield lambda: sigmascape.range_doppler(atlas, radar, **given)
+        yield lambda: sigmascape.stripmap(atlas, radar, **given)
+    if name in ("samples", "bounces", "seed", "threads", "azimuths", "patch_texels", "most_samples", "mantissa_bits"):
+        yield lambda: sigmascape.bake(scene, "never", **given)
+    if name in ("seed", "swerling"):
+        yield lambda: sigmascape.Target(**given)
+    if name == "seed":
+        yield lambda: sigmascape.Scene.paper(**given)
+    if name == "threads":
+        yield lambda: sigmascape.make_dataset("never.toml", "never", **given)
+
+
+@pytest.mark.parametrize("number", [-1, 2**64, np.int64(-1), -2**70])
+@pytest.mark.parametrize("name", ["samples", "bounces", "seed", "threads", "dwell", "azimuths", "patch_texels", "most_samples", "mantissa_bits", "swerling"])
+def test_whole_numbers_out_of_range_are_told_by_their_name(scene, radar, atlas, name, number):
+    calls = list(whole_numbers(scene, radar, atlas, name, number))
+    assert calls
+    for call in calls:
+        with pytest.raises(sigmascape.Error, match=f"^{name}: is {number}; give a whole number from [0-9]+ to [0-9]+$"):
+            call()
+
+
+@pytest.mark.parametrize("number", [2.0, np.float32(2.0), "2", None])
+def test_what_is_no_whole_number_is_of_the_wrong_type(scene, radar, number):
+    with pytest.raises(TypeError):
+        sigmascape.render(scene, radar, threads=number)
+
+
+def test_whole_numbers_may_be_of_numpy(scene, radar):
+    options = dict(samples=2, bounces=1, progress=False)
+    seen = sigmascape.render(scene, radar, seed=np.uint64(2**64 - 1), threads=np.int8(1), **options)
+    assert np.array_equal(seen.vv, sigmascape.render(scene, radar, seed=2**64 - 1, **options).vv, equal_nan=True)
+
+
 def test_a_file_of_which_nothing_is_used_makes_a_warning(tmp_path):
     frame = "+proj=tmerc +lat_0=43 +lon_0=-3 +k=1 +x_0=0 +y_0=0 +datum=WGS84 +units=m"
     (tmp_path / "heights.asc").write_text(

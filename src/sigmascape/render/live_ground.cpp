@@ -79,6 +79,14 @@ std::shared_ptr<terrain::TerrainPyramid> terrain_beside(const atlas::Store& stor
       new terrain::TerrainPyramid(terrain::open_pyramid(folder, options.budget_bytes / tile_part)));
 }
 
+unsigned checked_loaders(const CacheOptions& options) {
+  if (options.loaders > most_loaders) {
+    throw Error("page cache, loaders", fmt::format("is {}", options.loaders),
+                fmt::format("give a number from 1 to {}", most_loaders));
+  }
+  return options.loaders;
+}
+
 }  // namespace
 
 LiveGround::LiveGround(const atlas::Store& store, std::shared_ptr<terrain::TerrainPyramid> terrain, double frequency_hz,
@@ -91,7 +99,7 @@ LiveGround::LiveGround(const atlas::Store& store, std::shared_ptr<terrain::Terra
       pages_(source_,
              options.budget_bytes - beside_pages(options, obstacles_.get()) -
                  StandInGround::bytes_of(*source_, stand_in_.side()),
-             options.loaders, terrain_.pyramid().patience()) {}
+             checked_loaders(options), terrain_.pyramid().patience()) {}
 
 LiveGround::LiveGround(const atlas::Store& store, const terrain::HeightField& terrain, double frequency_hz,
                        const CacheOptions& options)

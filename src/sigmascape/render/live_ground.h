@@ -22,8 +22,8 @@ class LiveGround {
   /// Reads the coarsest level of all looks at once, as coarsely as it fits into an eighth of the budget
   /// (StandInGround), the rest when frames ask: no frame is dark where the atlas can be read. Terrain in use takes a
   /// sixth of the budget and, of an atlas that keeps the ground apart, obstacles an eighth, however large the atlas is.
-  /// Throws Error when the atlas was not baked near the frequency, its store of bare ground is not there or the budget
-  /// does not hold a single page besides.
+  /// Throws Error when the atlas was not baked near the frequency, its store of bare ground is not there, the budget
+  /// does not hold a single page besides, or there are to be more than most_loaders.
   LiveGround(const atlas::Store& store, std::shared_ptr<terrain::TerrainPyramid> terrain, double frequency_hz,
              const CacheOptions& options = {});
   /// The same over terrain in memory.
