@@ -1,10 +1,13 @@
+#include <filesystem>
 #include <fmt/format.h>
 #include <optional>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "bake_options.h"
 #include "command.h"
+#include "files_to_write.h"
 #include "number_or_null.h"
 #include "progress_log.h"
 #include "scene_warnings.h"
@@ -15,6 +18,7 @@
 #include "sigmascape/bake/bake.h"
 #include "sigmascape/bake/plan.h"
 #include "sigmascape/base/error.h"
+#include "sigmascape/base/toml_reader.h"
 #include "sigmascape/scene/scene_file.h"
 
 namespace sigmascape::cli {
@@ -44,7 +48,8 @@ std::string text_of(const Baked& baked) {
   }
   if (const auto part = report.above_target.part())
     text += fmt::format(", {:.0f} % of texels above the target", 100.0 * *part);
-  if (report.pyramid > 0) text += fmt::format(", {} of the pyramid", counted(report.pyramid, "texture", "textures"));
+  if (report.pyramid > 0)
+    text += fmt::format(", {} of looks above the patches", counted(report.pyramid, "file", "files"));
   return text;
 }
 
@@ -113,6 +118,19 @@ nlohmann::ordered_json json_of(const bake::BakePlan& plan) {
           {"probe_seconds", plan.probe_seconds}};
 }
 
+/// That the log is none of the files that the bake reads, nor of those that it writes and that may not be there yet.
+void check_log(const std::string& log, const std::string& scene, const std::filesystem::path& folder) {
+  std::error_code is_not_there;
+  if (log.empty() || std::filesystem::is_other(log, is_not_there)) return;
+  std::vector<std::string> written;
+  for (const char* name : {"collection.json", "terrain.tif", "terrain.json"})
+    written.push_back((folder / name).string());
+  std::vector<NamedFile> files;
+  for (const std::string& file : written) files.push_back({"--out", file});
+  files.push_back({"--json-log", log});
+  check_files_to_write(files, TomlSection::read_file(scene).named_files());
+}
+
 }  // namespace
 
 void add_bake_command(Command app, Output& output) {
@@ -134,8 +152,8 @@ void add_bake_command(Command app, Output& output) {
   const auto verify_option =
       command.add_flag("--verify", options->verify,
                        "compare the SHA-256 of looks that are there already; name altered ones and bake them again");
-  const auto log_option =
-      command.add_option("--json-log", options->log, "add progress to this file, a JSON object a line");
+  const auto log_option = command.add_option(
+      "--json-log", options->log, "add progress to this file, a new one or such a log, a JSON object a line");
   command
       .add_flag("--plan", options->plan,
                 "write nothing; bake a small piece at each elevation and tell what the whole would take")
@@ -153,6 +171,7 @@ void add_bake_command(Command app, Output& output) {
     const scene::Scene scene = scene::read_scene(options->scene);
     const bake::BakeSettings settings = options->bake.settings();
     bake::check(settings);
+    check_log(options->log, options->scene, options->folder);
     warn_of_scene(scene);
     if (options->plan) {
       const bake::BakePlan plan = bake::plan(scene, settings, options->folder, share.shard);

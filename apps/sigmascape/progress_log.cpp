@@ -1,10 +1,13 @@
 #include "progress_log.h"
 
+#include <array>
 #include <cerrno>
 #include <cmath>
 #include <cstring>
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <string_view>
+#include <system_error>
 
 #include "number_or_null.h"
 
@@ -15,9 +18,29 @@ namespace {
 
 constexpr double longest_silence_s = 10.0;
 
+/// How every line begins, of which the killed writer of a log may have left a part.
+constexpr std::string_view beginning = R"({"task":)";
+
+/// Throws Error for a file that holds anything but a log, to which lines would be added.
+void check_is_log(const std::filesystem::path& file) {
+  std::error_code is_none;
+  if (!std::filesystem::is_regular_file(file, is_none)) return;
+  std::array<char, beginning.size()> read{};
+  std::ifstream stream(file, std::ios::binary);
+  stream.read(read.data(), read.size());
+  const std::string_view found(read.data(), static_cast<std::size_t>(stream.gcount()));
+  if (beginning.starts_with(found)) return;
+  throw Error(file.string(), "holds something else than the log of a bake", "give --json-log a file of its own");
+}
+
+std::FILE* opened(const std::filesystem::path& file) {
+  check_is_log(file);
+  return std::fopen(file.c_str(), "a+");
+}
+
 }  // namespace
 
-ProgressLog::ProgressLog(const std::filesystem::path& file) : file_name_(file), file_(std::fopen(file.c_str(), "a+")) {
+ProgressLog::ProgressLog(const std::filesystem::path& file) : file_name_(file), file_(opened(file)) {
   if (file_ == nullptr) {
     throw Error(file.string(), std::string("cannot be written (") + std::strerror(errno) + ")",
                 "give --json-log a file in a folder that exists");

@@ -17,8 +17,8 @@ namespace sigmascape::cli {
 /// does.
 class ProgressLog final : public ProgressListener {
  public:
-  /// Adds to a file that is there: a share that starts again goes on in its log. Throws Error when it cannot be
-  /// written.
+  /// Adds to a log that is there: a share that starts again goes on in its own. Throws Error when the file holds
+  /// something else or cannot be written.
   explicit ProgressLog(const std::filesystem::path& file);
   ~ProgressLog() override;
   ProgressLog(const ProgressLog&) = delete;

@@ -95,6 +95,47 @@ TEST_F(BakeCommand, OfNothingThatWasBakedNoErrorIsTold) {
               AllOf(HasSubstr("(4 already there)"), Not(HasSubstr("error")), Not(HasSubstr("rays"))));
 }
 
+// The scene's own elevation raster is called as that of an atlas is.
+TEST_F(BakeCommand, IntoTheFolderOfTheSceneNothingIsWrittenOver) {
+  const std::filesystem::path folder = scene_.parent_path();
+  std::filesystem::rename(folder / "heights.asc", folder / "terrain.tif");
+  std::string scene;
+  std::getline(std::ifstream(scene_), scene, '\0');
+  std::ofstream(scene_) << scene.replace(scene.find("heights.asc"), 11, "terrain.tif");
+  const auto before = files_of(folder);
+  for (const char* plan : {"", " --plan"}) {
+    const Ended refused =
+        run(line("bake", fmt::format("'{}' --out '{}' {}{}", scene_.string(), folder.string(), one_coarse_look, plan)));
+    EXPECT_EQ(refused.code, 1) << refused.printed;
+    EXPECT_THAT(refused.printed, HasSubstr("holds terrain.tif, which is of no atlas, and a bake would write over it"));
+  }
+  EXPECT_EQ(difference_of(files_of(folder), before), "");
+}
+
+TEST_F(BakeCommand, ALogIsAddedToNoFileButALog) {
+  const std::string options = std::string(one_coarse_look) + " --samples 2 --bounces 1";
+  ASSERT_EQ(run(bake_line("a", options)).code, 0);
+  folder_.write("scene/notes.txt", "of others\n");
+  const auto atlas_before = files_of(folder_.path("a")), scene_before = files_of(folder_.path("scene"));
+  const auto said_to_log = [&](const std::string& atlas, const std::string& file) {
+    const Ended refused =
+        run(bake_line(atlas, fmt::format("{} --json-log '{}'", options, folder_.path(file).string())));
+    EXPECT_EQ(refused.code, 1) << file << refused.printed;
+    return refused.printed;
+  };
+  const std::string is_read = ", of what this is made from; give it a file of its own";
+  EXPECT_THAT(said_to_log("a", "scene/scene.toml"), AllOf(HasSubstr("--json-log: names "), HasSubstr(is_read)));
+  EXPECT_THAT(said_to_log("a", "scene/houses.csv"), HasSubstr(is_read));
+  EXPECT_THAT(said_to_log("a", "a/collection.json"), HasSubstr("a/collection.json, as --out does; give each of them"));
+  EXPECT_THAT(said_to_log("b", "b/terrain.tif"), HasSubstr("b/terrain.tif, as --out does"));
+  EXPECT_THAT(
+      said_to_log("a", "a/patch_+000_+000/catalog.json"),
+      HasSubstr("catalog.json: holds something else than the log of a bake; give --json-log a file of its own"));
+  EXPECT_THAT(said_to_log("a", "scene/notes.txt"), HasSubstr("notes.txt: holds something else"));
+  EXPECT_EQ(difference_of(files_of(folder_.path("a")), atlas_before), "");
+  EXPECT_EQ(difference_of(files_of(folder_.path("scene")), scene_before), "");
+}
+
 // On standard error, so that a summary in JSON stays what it is; what lies outside by rights is for `scene info` alone.
 TEST_F(BakeCommand, WhatIsLikelyAMistakeInTheSceneIsSaidOnceWhereverItIsWorkedOn) {
   std::ofstream(scene_, std::ios::app) << "[[buildings]]\nfile = \"houses.csv\"\ncrs = \"EPSG:25830\"\n"

@@ -317,7 +317,7 @@ TEST_F(Shards, ThePyramidIsMadeAnewByItself) {
   fs::remove((folder_ / "bare" / obstacles).replace_extension(".json"));
   const Ended lacking = run_cli(fmt::format("atlas pyramid '{}'", path_of("bare")));
   EXPECT_EQ(lacking.code, 1);
-  EXPECT_THAT(lacking.printed, HasSubstr("0 textures written; 1 left out for want of 1 file of patches (" +
+  EXPECT_THAT(lacking.printed, HasSubstr("0 files above the patches written; 1 left out for want of 1 file of patches (" +
                                          std::string(obstacles) + " is missing); start the bake again"));
 }
 
@@ -331,8 +331,14 @@ TEST_F(Shards, InfoTellsWhatIsThereAndWhatIsNot) {
   EXPECT_EQ(json.at("patches"), 8);
   EXPECT_EQ(json.at("looks"), 16);
   EXPECT_EQ(json.at("looks_done"), 16);
-  EXPECT_EQ(json.at("pyramid").at("textures"), 8 + 4) << "four places: two looks and obstacles";
-  EXPECT_EQ(json.at("pyramid").at("textures_done"), 8 + 4);
+  EXPECT_EQ(json.at("pyramid").at("textures"), 8) << "four places: two looks";
+  EXPECT_EQ(json.at("pyramid").at("textures_done"), 8);
+  EXPECT_EQ(json.at("obstacles").at("files"), 8 + 4);
+  EXPECT_EQ(json.at("obstacles").at("files_done"), 8 + 4);
+  EXPECT_EQ(json.at("ground").at("files_done"), json.at("ground").at("files"));
+  EXPECT_GT(json.at("ground").at("files"), 8 + 4);
+  EXPECT_TRUE(json.at("ground").at("faults").empty());
+  EXPECT_TRUE(json.at("terrain").at("faults").empty());
   EXPECT_EQ(json.at("azimuths_deg").size(), 2U);
   EXPECT_GT(json.at("relative_standard_error").at("median").get<double>(), 0.0);
   EXPECT_LE(json.at("relative_standard_error").at("median"), json.at("relative_standard_error").at("largest"));

@@ -181,8 +181,25 @@ def test_ctrl_c_ends_a_bake_that_calls_no_python(tmp_path):
     assert told == "interrupted\n" and process.returncode == 0
 
 
+def test_rays_are_given_by_number_or_by_the_error_that_they_are_to_bring(scene, tmp_path):
+    for also in (dict(target_db=1.0), dict(most_samples=64)):
+        with pytest.raises(sigmascape.Error, match=f"{next(iter(also))}: is given, and samples says how many rays a texel gets; leave out"):
+            sigmascape.bake(scene, tmp_path / "atlas", samples=2, progress=False, **also)
+    for target_db in (0.0, 11.0, float("nan")):
+        with pytest.raises(sigmascape.Error, match="target_db: is .*; give a number from 0.01 to 10"):
+            sigmascape.bake(scene, tmp_path / "atlas", target_db=target_db, progress=False)
+    assert not (tmp_path / "atlas").exists()
+
+
+def test_a_bake_does_not_write_over_files_of_others(scene, tmp_path):
+    (tmp_path / "terrain.tif").write_bytes(b"of others")
+    with pytest.raises(sigmascape.Error, match="holds terrain.tif, which is of no atlas, and a bake would write over it; choose an empty folder"):
+        sigmascape.bake(scene, tmp_path, samples=2, progress=False)
+    assert [file.name for file in tmp_path.iterdir()] == ["terrain.tif"] and (tmp_path / "terrain.tif").read_bytes() == b"of others"
+
+
 def test_a_bake_of_no_looks_is_refused(scene, tmp_path):
-    empty, numberless = "has no values", "give a number from 1 to 3600"
+    empty, numberless = "has no values", "give a whole number from 1 to 3600"
     for none, words in (
         (dict(azimuths=0), numberless),
         (dict(azimuths=2**31), numberless),

@@ -9,6 +9,7 @@
 #include "sigmascape/atlas/obstacle_file.h"
 #include "sigmascape/atlas/pyramid.h"
 #include "sigmascape/atlas/stac_item.h"
+#include "sigmascape/atlas/terrain_file.h"
 #include "sigmascape/atlas/texture_file.h"
 #include "sigmascape/base/interruption.h"
 
@@ -35,22 +36,45 @@ std::optional<AtlasSummary::Spread> spread_of(std::vector<double> errors) {
   return AtlasSummary::Spread{errors.front(), errors[errors.size() / 2], errors.back()};
 }
 
-void count_pyramid(const Store& store, AtlasSummary& summary) {
+void count(bool is_done, AtlasSummary::Files& files) {
+  Interruption::heed();
+  ++files.planned;
+  files.done += is_done ? 1 : 0;
+}
+
+/// Of the levels above the patches.
+AtlasSummary::Files textures_above(const Store& store) {
   const Pyramid pyramid(store);
-  const LayerPyramid obstacles = obstacle_pyramid(store);
-  const bool has_obstacles = keeps_ground_apart(store);
-  const auto count = [&summary](bool is_done) {
-    ++summary.pyramid_textures;
-    summary.pyramid_done += is_done ? 1 : 0;
-  };
-  summary.pyramid_levels = pyramid.levels();
+  AtlasSummary::Files textures;
   for (std::size_t level = 1; level <= pyramid.levels(); ++level) {
     for (const PyramidTile& tile : pyramid.tiles(level)) {
       const std::size_t looks = store.description().aspects.look_count();
-      for (LookIndex look = 0; look < looks; ++look) count(pyramid.is_done(tile, look));
-      if (has_obstacles) count(obstacles.is_done(tile));
+      for (LookIndex look = 0; look < looks; ++look) count(pyramid.is_done(tile, look), textures);
     }
   }
+  return textures;
+}
+
+AtlasSummary::Files obstacles_of(const Store& atlas) {
+  const LayerPyramid pyramid = obstacle_pyramid(atlas);
+  AtlasSummary::Files files;
+  for (const PyramidTile& patch : pyramid.tiles(0))
+    count(!obstacles_fault(atlas, patch.south_west, Scrutiny::Size), files);
+  for (std::size_t level = 1; level <= pyramid.levels(); ++level) {
+    for (const PyramidTile& tile : pyramid.tiles(level)) count(pyramid.is_done(tile), files);
+  }
+  return files;
+}
+
+AtlasSummary::Files ground_of(const Store& atlas) {
+  const Store ground = open_ground_store(atlas);
+  const PatchBlock patches = ground.description().patches.block_over(ground.description().extent);
+  const std::size_t looks = ground.description().aspects.look_count();
+  AtlasSummary::Files textures = textures_above(ground);
+  for (std::size_t number = 0; number < patches.size(); ++number) {
+    for (LookIndex look = 0; look < looks; ++look) count(ground.is_done(patches[number], look), textures);
+  }
+  return textures;
 }
 
 }  // namespace
@@ -81,7 +105,13 @@ AtlasSummary summary_of(const Store& store) {
   summary.error = spread_of(std::move(errors));
   summary.above_target = above_target.part();
 
-  count_pyramid(store, summary);
+  summary.pyramid_levels = Pyramid(store).levels();
+  summary.pyramid = textures_above(store);
+  summary.terrain_fault = terrain_fault(store, Scrutiny::Size);
+  if (!keeps_ground_apart(store)) return summary;
+  summary.obstacles = obstacles_of(store);
+  summary.ground_fault = ground_collection_fault(store);
+  if (!summary.ground_fault) summary.ground = ground_of(store);
   return summary;
 }
 

@@ -14,10 +14,19 @@ struct AtlasSummary {
   std::size_t looks = 0;       ///< (patch, look) pairs that a whole atlas has
   std::size_t looks_done = 0;  ///< of these
   std::size_t pyramid_levels = 0;
-  std::size_t pyramid_textures = 0;  ///< that a whole atlas has above its patches, obstacles among them
-  std::size_t pyramid_done = 0;      ///< of these
-  std::uint64_t bytes = 0;           ///< of everything in the folder
-  double bytes_per_look = 0.0;       ///< mean size of the textures of patches
+  /// Files of one kind that are there as their items say, of those that a whole atlas has.
+  struct Files {
+    std::size_t done = 0, planned = 0;
+  };
+  Files pyramid;    ///< textures of looks above the patches
+  Files obstacles;  ///< of patches and above them; none are planned where the ground is not kept apart
+  /// Textures of the ground's own store, of patches and above them. None is known to be planned where there is a fault
+  /// of its collection, which alone tells of its elevations.
+  Files ground;
+  std::optional<StoreFault> ground_fault = {};   ///< of that collection, where the ground is kept apart
+  std::optional<StoreFault> terrain_fault = {};  ///< of `terrain.tif`; its content is not looked at, nor are tiles
+  std::uint64_t bytes = 0;                       ///< of everything in the folder
+  double bytes_per_look = 0.0;                   ///< mean size of the textures of patches
   struct Spread {
     double smallest = 0.0, median = 0.0, largest = 0.0;
   };

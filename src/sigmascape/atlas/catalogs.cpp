@@ -35,10 +35,21 @@ std::optional<StoreFault> fault_of(const Store& store, const std::filesystem::pa
   return StoreFault{file, "does not link what the atlas is planned to hold: it was altered, or is of a former kind"};
 }
 
-/// As fault_of. The collection of an atlas from before they vouched for themselves stays as it is.
+/// As fault_of. What former versions wrote of the same store stays as it is.
 std::optional<StoreFault> collection_fault(const Store& store, Scrutiny scrutiny) {
-  if (!fault_of(store, collection_name, unsealed_collection_text(store.description()), scrutiny)) return std::nullopt;
-  return fault_of(store, collection_name, collection_text(store.description()), scrutiny);
+  auto fault = fault_of(store, collection_name, collection_text(store.description()), scrutiny);
+  if (!fault) return std::nullopt;
+  for (const std::string& former : former_collection_texts(store.description()))
+    if (!fault_of(store, collection_name, former, scrutiny)) return std::nullopt;
+  return fault;
+}
+
+/// The same.
+std::optional<StoreFault> catalog_fault(const Store& store, const PyramidTile& tile, Scrutiny scrutiny) {
+  const std::filesystem::path file = catalog_path(tile);
+  auto fault = fault_of(store, file, catalog_text(store.description(), tile), scrutiny);
+  if (!fault || !fault_of(store, file, former_catalog_text(store.description(), tile), scrutiny)) return std::nullopt;
+  return fault;
 }
 
 using Visit = std::function<void(const PyramidTile&)>;
@@ -78,9 +89,7 @@ std::vector<StoreFault> catalog_faults(const Store& store, Scrutiny scrutiny) {
     if (fault) faults.push_back(std::move(*fault));
   };
   note(collection_fault(store, scrutiny));
-  visit_begun(store, [&](const PyramidTile& tile) {
-    note(fault_of(store, catalog_path(tile), catalog_text(store.description(), tile), scrutiny));
-  });
+  visit_begun(store, [&](const PyramidTile& tile) { note(catalog_fault(store, tile, scrutiny)); });
   return faults;
 }
 
@@ -89,23 +98,22 @@ std::vector<StoreFault> mend_catalogs(const Store& store, Scrutiny scrutiny,
   std::vector<StoreFault> mended;
   // Atlases whose collection links other things may never have had catalogs.
   const bool had_catalogs = !collection_fault(store, scrutiny);
-  const auto mend = [&](std::optional<StoreFault> fault, const std::string& right) {
+  const auto mend = [&](std::optional<StoreFault> fault, const auto& right) {
     if (!fault) return;
     const std::filesystem::path file = store.folder() / fault->file;
     fault->is_absent = fault->is_absent || (!had_catalogs && geo::is_absent(file));
-    geo::write_atomically(file, right);
+    geo::write_atomically(file, right());
     mended.push_back(std::move(*fault));
   };
   std::size_t number = 0;
   visit_begun(store, [&](const PyramidTile& tile) {
     if (!has(number++)) return;
-    const std::string right = catalog_text(store.description(), tile);
-    mend(fault_of(store, catalog_path(tile), right, scrutiny), right);
+    mend(catalog_fault(store, tile, scrutiny), [&] { return catalog_text(store.description(), tile); });
   });
   // Never over that of another atlas.
   static_cast<void>(Store::find(store.folder(), store.description()));
   // Last, so that what it links is there.
-  mend(collection_fault(store, scrutiny), collection_text(store.description()));
+  mend(collection_fault(store, scrutiny), [&] { return collection_text(store.description()); });
   return mended;
 }
 

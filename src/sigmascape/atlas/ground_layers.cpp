@@ -13,8 +13,6 @@
 namespace sigmascape::atlas {
 namespace {
 
-constexpr const char* ground_folder = "ground";
-
 radar::ObstacleMap load_obstacles(const Store& atlas) {
   const PatchGrid& grid = atlas.description().patches;
   const auto patches = grid.covering(atlas.description().extent);
@@ -40,7 +38,7 @@ AtlasDescription ground_description(const Store& atlas, const std::vector<double
   AtlasDescription description = atlas.description();
   description.name += ", ground alone";
   description.aspects = {{0.0}, elevations_rad, atlas.description().aspects.frequencies_hz};
-  description.settings = {{"layer", "ground without what stands on it, from any azimuth"}};
+  description.settings = {{layer_setting, "ground without what stands on it, from any azimuth"}};
   if (atlas.description().settings.contains(physics_revision_setting))
     description.settings[physics_revision_setting] = atlas.description().physics_revision();
   return description;
@@ -62,6 +60,10 @@ std::optional<StoreFault> fault_against(const std::filesystem::path& folder, con
 }
 
 }  // namespace
+
+bool is_ground_of_an_atlas(const AtlasDescription& description) {
+  return description.settings.contains(layer_setting);
+}
 
 bool keeps_ground_apart(const AtlasDescription& description) {
   const auto setting = description.settings.find(shadows_setting);

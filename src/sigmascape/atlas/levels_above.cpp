@@ -1,6 +1,9 @@
 #include "sigmascape/atlas/levels_above.h"
 
+#include <algorithm>
 #include <filesystem>
+#include <iterator>
+#include <utility>
 
 #include "sigmascape/atlas/catalogs.h"
 #include "sigmascape/atlas/ground_layers.h"
@@ -11,21 +14,28 @@ namespace sigmascape::atlas {
 
 namespace {
 
+/// Files above the patches of one store that were written, and what was not.
+struct Made {
+  std::size_t written = 0, left_out = 0;
+  std::vector<StoreFault> hindrances = {};
+};
+
 /// σ0 and what leads to it.
-LevelsAbove make_levels_of(const Store& store, Scrutiny scrutiny) {
+Made make_levels_of(const Store& store, Scrutiny scrutiny) {
   const Pyramid pyramid(store);
   const auto patches = store.description().patches.covering(store.description().extent);
-  LevelsAbove made;
+  Made made;
   for (LookIndex look = 0; look < store.description().aspects.look_count(); ++look) {
     MakingNotes notes;
-    const std::size_t written = pyramid.make_above(patches, look, scrutiny, &notes);
-    made += {written, notes.left_out.size(), pyramid.hindrances(notes.left_out, look)};
+    made.written += pyramid.make_above(patches, look, scrutiny, &notes);
+    made.left_out += notes.left_out.size();
+    std::ranges::move(pyramid.hindrances(notes.left_out, look), std::back_inserter(made.hindrances));
   }
   mend_catalogs(store, scrutiny);
   return made;
 }
 
-LevelsAbove make_levels_of_obstacles(const Store& atlas, Scrutiny scrutiny) {
+Made make_levels_of_obstacles(const Store& atlas, Scrutiny scrutiny) {
   const LayerPyramid pyramid = obstacle_pyramid(atlas);
   const auto patches = atlas.description().patches.covering(atlas.description().extent);
   MakingNotes notes;
@@ -33,29 +43,30 @@ LevelsAbove make_levels_of_obstacles(const Store& atlas, Scrutiny scrutiny) {
   return {written, notes.left_out.size(), pyramid.hindrances(notes.left_out)};
 }
 
-LevelsAbove make_levels_of_ground(const Store& atlas, Scrutiny scrutiny) {
+Made make_levels_of_ground(const Store& atlas, Scrutiny scrutiny) {
   const std::filesystem::path folder = ground_folder_of(atlas);
   if (!std::filesystem::exists(folder)) return {};
-  LevelsAbove made = make_levels_of(open_ground_store(atlas), scrutiny);
+  Made made = make_levels_of(open_ground_store(atlas), scrutiny);
   for (StoreFault& fault : made.hindrances) fault.file = folder.filename() / fault.file;
   return made;
 }
 
-}  // namespace
-
-LevelsAbove& LevelsAbove::operator+=(const LevelsAbove& other) {
-  written += other.written;
-  left_out += other.left_out;
-  hindrances.insert(hindrances.end(), other.hindrances.begin(), other.hindrances.end());
-  return *this;
+/// Returns how many files were written.
+std::size_t note(Made made, LevelsAbove& levels) {
+  levels.left_out += made.left_out;
+  std::ranges::move(made.hindrances, std::back_inserter(levels.hindrances));
+  return made.written;
 }
 
+}  // namespace
+
 LevelsAbove make_levels_above(const Store& atlas, Scrutiny scrutiny) {
-  LevelsAbove made = make_levels_of(atlas, scrutiny);
-  if (!keeps_ground_apart(atlas)) return made;
-  made += make_levels_of_obstacles(atlas, scrutiny);
-  made += make_levels_of_ground(atlas, scrutiny);
-  return made;
+  LevelsAbove levels;
+  levels.written.looks = note(make_levels_of(atlas, scrutiny), levels);
+  if (!keeps_ground_apart(atlas)) return levels;
+  levels.written.obstacles = note(make_levels_of_obstacles(atlas, scrutiny), levels);
+  levels.written.ground = note(make_levels_of_ground(atlas, scrutiny), levels);
+  return levels;
 }
 
 }  // namespace sigmascape::atlas

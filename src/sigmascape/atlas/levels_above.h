@@ -9,12 +9,16 @@ namespace sigmascape::atlas {
 
 /// What became of the levels above the patches.
 struct LevelsAbove {
-  std::size_t written = 0;   ///< files
+  /// Files that were written: textures of looks, obstacles, and textures of the ground apart.
+  struct Written {
+    std::size_t looks = 0, obstacles = 0, ground = 0;
+
+    [[nodiscard]] std::size_t all() const { return looks + obstacles + ground; }
+  };
+  Written written = {};
   std::size_t left_out = 0;  ///< files that could not be made
   /// What is wrong with the files of patches that those would be made of. Files are relative to the atlas.
   std::vector<StoreFault> hindrances = {};
-
-  LevelsAbove& operator+=(const LevelsAbove& other);
 };
 
 /// Makes what is missing or out of date of the levels above an atlas' patches, from the patches that are there: of σ0,

@@ -34,13 +34,35 @@ std::string description_of(const PyramidTile& tile) {
       1 << tile.level, x, y);
 }
 
-Json collection_of(const AtlasDescription& description) {
-  const Footprint footprint(description, whole_grid(description));
-  Json links = Json::array({link("root", fmt::format("./{}", collection_name))});
+void link_coarsest_level(const AtlasDescription& description, Json& links) {
   const PyramidTiles places(description.patches, description.extent);
   for (const PyramidTile& tile : places.tiles(places.levels())) {
     links.push_back(link("child", "./" + catalog_path(tile).generic_string()));
   }
+}
+
+Json former_links_of_collection(const AtlasDescription& description) {
+  Json links = Json::array({link("root", fmt::format("./{}", collection_name))});
+  link_coarsest_level(description, links);
+  return links;
+}
+
+Json links_of_collection(const AtlasDescription& description) {
+  if (is_ground_of_an_atlas(description)) {
+    const std::string above = root_of(description).generic_string();
+    Json links = Json::array({link("root", above), link("parent", above)});
+    link_coarsest_level(description, links);
+    return links;
+  }
+  Json links = former_links_of_collection(description);
+  if (keeps_ground_apart(description))
+    links.push_back(link("child", fmt::format("./{}/{}", ground_folder, collection_name)));
+  links.push_back(link("item", "./" + item_path(terrain_name).generic_string()));
+  return links;
+}
+
+Json collection_with(const Json& links, const AtlasDescription& description) {
+  const Footprint footprint(description, whole_grid(description));
   return {
       {"type", "Collection"},
       {"stac_version", stac_version},
@@ -58,26 +80,16 @@ Json collection_of(const AtlasDescription& description) {
   };
 }
 
-}  // namespace
-
-std::filesystem::path catalog_path(const PyramidTile& tile) {
-  return folder_of(tile) / catalog_name;
-}
-
-std::string collection_text(const AtlasDescription& description) {
-  Json collection = collection_of(description);
+std::string sealed_collection(Json collection) {
   collection[collection_hash] = "";
   return sealed(written(collection, 2) + "\n", collection_hash);
 }
 
-std::string unsealed_collection_text(const AtlasDescription& description) {
-  return written(collection_of(description), 2) + "\n";
-}
-
-std::string catalog_text(const AtlasDescription& description, const PyramidTile& tile) {
+std::string catalog_under(const std::filesystem::path& root, const AtlasDescription& description,
+                          const PyramidTile& tile) {
   const PyramidTiles places(description.patches, description.extent);
   const auto above = places.parent_of(tile);
-  Json links = Json::array({link("root", href_from(tile, collection_name)),
+  Json links = Json::array({link("root", href_from(tile, root)),
                             link("parent", href_from(tile, above ? catalog_path(*above) : collection_name))});
   if (tile.level > 0) {
     for (const auto& part : places.parts_of(tile)) {
@@ -91,6 +103,34 @@ std::string catalog_text(const AtlasDescription& description, const PyramidTile&
       {"links", links},
   };
   return written(catalog, 2) + "\n";
+}
+
+}  // namespace
+
+std::filesystem::path catalog_path(const PyramidTile& tile) {
+  return folder_of(tile) / catalog_name;
+}
+
+std::filesystem::path root_of(const AtlasDescription& description) {
+  const std::filesystem::path collection = collection_name;
+  return is_ground_of_an_atlas(description) ? ".." / collection : collection;
+}
+
+std::string collection_text(const AtlasDescription& description) {
+  return sealed_collection(collection_with(links_of_collection(description), description));
+}
+
+std::vector<std::string> former_collection_texts(const AtlasDescription& description) {
+  const Json former = collection_with(former_links_of_collection(description), description);
+  return {sealed_collection(former), written(former, 2) + "\n"};
+}
+
+std::string catalog_text(const AtlasDescription& description, const PyramidTile& tile) {
+  return catalog_under(root_of(description), description, tile);
+}
+
+std::string former_catalog_text(const AtlasDescription& description, const PyramidTile& tile) {
+  return catalog_under(collection_name, description, tile);
 }
 
 }  // namespace sigmascape::atlas

@@ -162,19 +162,19 @@ Json file_properties(const AtlasDescription& description, const TextureRecord& r
 /// Where an item stands: what it covers, and what lies above it.
 struct ItemPlace {
   Footprint footprint;
-  std::string collection, parent;
+  std::string root, collection, parent;
 };
 
 /// In the folder of a place.
 ItemPlace place_of(const AtlasDescription& description, const PyramidTile& tile) {
-  return {Footprint(description, texels_of(description.patches, tile)), href_from(tile, collection_name),
-          fmt::format("./{}", catalog_name)};
+  return {Footprint(description, texels_of(description.patches, tile)), href_from(tile, root_of(description)),
+          href_from(tile, collection_name), fmt::format("./{}", catalog_name)};
 }
 
 /// Beside the collection, of a file of these cells.
 ItemPlace beside_collection(const AtlasDescription& description, const radar::GroundGrid& cells) {
   const std::string collection = fmt::format("./{}", collection_name);
-  return {Footprint(description, cells), collection, collection};
+  return {Footprint(description, cells), collection, collection, collection};
 }
 
 constexpr const char* own_hash = "sigmascape:item_sha256";
@@ -308,8 +308,8 @@ std::string item_of(const std::string& id, const AtlasDescription& description, 
       {"bbox", place.footprint.box},
       {"properties", properties},
       {"assets", assets},
-      {"links", Json::array({link("root", place.collection), link("parent", place.parent),
-                             link("collection", place.collection)})},
+      {"links",
+       Json::array({link("root", place.root), link("parent", place.parent), link("collection", place.collection)})},
   };
   return sealed(written(item, 2) + "\n", own_hash);
 }

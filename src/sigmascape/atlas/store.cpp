@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "sigmascape/atlas/error_texture.h"
+#include "sigmascape/atlas/files_of_others.h"
 #include "sigmascape/atlas/half_texture.h"
 #include "sigmascape/atlas/pyramid.h"
 #include "sigmascape/atlas/stac_catalog.h"
@@ -115,11 +116,18 @@ Store Store::create(const std::filesystem::path& folder, const AtlasDescription&
 
 std::optional<Store> Store::find(const std::filesystem::path& folder, const AtlasDescription& description) {
   check_description(description);
-  const std::filesystem::path file = folder / collection_name;
-  if (is_nothing_there(text_of(file).error)) {
+  const auto is_none_there = [&] { return is_nothing_there(text_of(folder / collection_name).error); };
+  if (is_none_there()) {
     if (!geo::is_absent(folder / "dataset.json"))
       throw Error(folder.string(), "holds a dataset", "choose an empty folder");
-    return std::nullopt;
+    const auto others = file_of_others(folder);
+    // Another process that began here meanwhile wrote its collection before all else.
+    if (others && is_none_there()) {
+      throw Error(folder.string(),
+                  fmt::format("holds {}, which is of no atlas, and a bake would write over it", *others),
+                  "choose an empty folder");
+    }
+    if (!others) return std::nullopt;
   }
   Store store = open(folder);
   check_same(store, description);

@@ -113,7 +113,8 @@ inline constexpr std::string_view terrain_pyramid_name = "terrain";
 class Store {
  public:
   /// Makes a new store, or opens the one in `folder` when its description is the same: so a bake resumes. Throws Error
-  /// when the description makes no sense, or the store there has another one, naming what differs.
+  /// when the description makes no sense, the store there has another one, naming what differs, or there is none but
+  /// something of others by a name of a store's files, which would be lost.
   [[nodiscard]] static Store create(const std::filesystem::path& folder, const AtlasDescription& description);
 
   /// The store in `folder`, if there is one. Writes nothing; throws Error as `create` does.

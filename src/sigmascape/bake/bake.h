@@ -26,7 +26,7 @@ struct BakeReport {
   std::size_t looks = 0;      ///< (patch, look) pairs of the share; without shards of the whole atlas
   std::size_t already = 0;    ///< that were there before
   std::size_t elsewhere = 0;  ///< that another process baked in the meantime
-  std::size_t pyramid = 0;    ///< textures written of the pyramid above the patches
+  std::size_t pyramid = 0;    ///< textures of looks written above the patches; obstacles and ground are not counted
   trace::TraceCounts counts;
   std::size_t geometry_bytes = 0;  ///< of the largest structures for rays that were needed at a time
   /// Root mean square of a level-0 texel's over the baked looks in which anything answers; nothing when none was baked.

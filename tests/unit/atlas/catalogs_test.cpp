@@ -14,11 +14,15 @@
 #include "example_texels.h"
 #include "scratch_folder.h"
 
+#include "sigmascape/atlas/ground_layers.h"
 #include "sigmascape/atlas/levels_above.h"
 #include "sigmascape/atlas/obstacle_file.h"
 #include "sigmascape/atlas/pyramid.h"
 #include "sigmascape/atlas/stac_catalog.h"
+#include "sigmascape/atlas/terrain_file.h"
 #include "sigmascape/atlas/verify.h"
+#include "sigmascape/base/units.h"
+#include "sigmascape/geo/geo_raster.h"
 
 namespace sigmascape::atlas {
 namespace {
@@ -75,11 +79,11 @@ class Browsed {
   std::map<std::string, int> visits_;
 };
 
-/// Every JSON document of a store once.
+/// Every JSON document of a store once, those of its ground among them.
 std::map<std::string, int> documents_of(const fs::path& folder) {
   std::map<std::string, int> documents;
   for (const auto& [name, content] : files_of(folder)) {
-    if (name.ends_with(".json") && !name.starts_with("ground/")) documents[name] = 1;
+    if (name.ends_with(".json")) documents[name] = 1;
   }
   return documents;
 }
@@ -112,6 +116,49 @@ TEST_F(Catalogs, LeadFromTheCollectionToEachItemOnce) {
   // Items of looks and obstacles and a catalog at ten patches and ten places above, and the collection.
   EXPECT_EQ(documents.size(), 3U * (10U + 10U) + 1U);
   EXPECT_EQ(Browsed(store_.folder()).visits(), documents);
+}
+
+TEST(CatalogsOfGround, AreReachedFromTheAtlasAsItsTerrainIs) {
+  const ScratchFolder folder;
+  const Store atlas = Store::create(folder.path("a"), small_ground_apart());
+  const Store ground = create_ground_store(atlas, {radians_from_deg(13.0)});
+  for (const Store& store : {atlas, ground}) {
+    for (const Unit& unit : store.units()) store.write(unit.patch, unit.look, example_texels(256, 1), {});
+  }
+  write_all_obstacles(atlas);
+  make_levels_above(atlas);
+  const geo::RasterPlacement placement{0.0, 512.0, 8.0, atlas.description().frame.proj()};
+  geo::write_geotiff(
+      atlas.folder() / terrain_name,
+      {.placement = placement, .bands = {{"height_m", Array2D<float>(64, 64, 5.0F)}}, .nodata = {}, .metadata = {}});
+  vouch_for_terrain(atlas);
+  const auto documents = documents_of(atlas.folder());
+  // At four patches and one place above a catalog and items of look and obstacles, of the ground a catalog and an item;
+  // two collections and the terrain's item.
+  EXPECT_EQ(documents.size(), 3U * (4U + 1U) + 2U * (4U + 1U) + 2U + 1U);
+  EXPECT_EQ(Browsed(atlas.folder()).visits(), documents);
+  EXPECT_THAT(verify(atlas), ::testing::IsEmpty());
+}
+
+// Collections without links to terrain and ground, and a ground that is a tree of its own.
+TEST(CatalogsOfGround, ThoseOfAFormerVersionStayAsTheyAre) {
+  const ScratchFolder folder;
+  const Store atlas = Store::create(folder.path("a"), small_ground_apart());
+  const Store ground = create_ground_store(atlas, {radians_from_deg(13.0)});
+  ground.write({0, 0}, 0, example_texels(256, 2), {});
+  const fs::path catalog = catalog_path({0, {0, 0}});
+  std::ofstream(ground.folder() / catalog, std::ios::binary) << former_catalog_text(ground.description(), {0, {0, 0}});
+  EXPECT_EQ(links(parsed(ground.folder() / catalog), "root"), std::vector<std::string>{"../collection.json"});
+  for (const Store& store : {atlas, ground}) {
+    for (const std::string& former : former_collection_texts(store.description())) {
+      std::ofstream(store.folder() / collection_name, std::ios::binary) << former;
+      EXPECT_THAT(links(former, "item"), ::testing::IsEmpty());
+      EXPECT_THAT(links(former, "root"), ::testing::ElementsAre("./collection.json"));
+      EXPECT_THAT(catalog_faults(store, Scrutiny::Content), ::testing::IsEmpty());
+      EXPECT_THAT(mend_catalogs(store, Scrutiny::Content), ::testing::IsEmpty());
+    }
+  }
+  EXPECT_FALSE(ground_collection_fault(atlas).has_value());
 }
 
 TEST_F(Catalogs, LeadToWhatIsBakedOfAnAtlasHalfDone) {
@@ -192,7 +239,7 @@ TEST_F(Catalogs, AnAtlasOfAFormerKindOpensAndIsMended) {
   const Store opened = Store::create(store_.folder(), wide_ground_apart());
   EXPECT_TRUE(opened.is_done({0, 0}, 0));
   EXPECT_EQ(faulty().size(), 1U + 10U + 10U);
-  EXPECT_EQ(make_levels_above(opened).written, 0U);
+  EXPECT_EQ(make_levels_above(opened).written.all(), 0U);
   EXPECT_EQ(difference_of(files_of(store_.folder()), whole), "");
 }
 

@@ -26,6 +26,14 @@ inline AtlasDescription wide_ground_apart() {
   return description;
 }
 
+/// Two by two patches of 256² texels whose ground is kept apart, and one place above them.
+inline AtlasDescription small_ground_apart() {
+  AtlasDescription description = wide_ground_apart();
+  description.patches = {1.0, 256};
+  description.extent = {0.0, 0.0, 512.0, 512.0};
+  return description;
+}
+
 /// A house in eleven texels of a hundred, trees in eleven others, each of its own height: no quarter of the patch looks
 /// like another, and no patch like another.
 inline radar::ObstacleMap example_obstacles(const Store& atlas, PatchIndex patch) {

@@ -120,7 +120,7 @@ TEST(ObstaclePyramid, WhatIsLeftOutIsToldWithItsCause) {
   rewrite_item(item_path(atlas.folder() / former), "sigmascape:tallest_m", "sigmascape:something");
 
   const LevelsAbove made = make_levels_above(atlas);
-  EXPECT_EQ(made.written, files_above - 4);
+  EXPECT_EQ(made.written.all(), files_above - 4);
   std::map<fs::path, std::string> causes;
   for (const StoreFault& fault : made.hindrances) {
     if (fault.file.filename() == "obstacles.tif") causes[fault.file] = fault.what;
@@ -138,7 +138,9 @@ TEST(ObstaclePyramid, OfAWholeAtlasNothingIsLeftOut) {
   const Store atlas = filled(folder.path("a"));
   for (const Unit& unit : atlas.units()) atlas.write(unit.patch, unit.look, example_texels(512, unit.look), {});
   const LevelsAbove made = make_levels_above(atlas);
-  EXPECT_EQ(made.written, 2 * files_above);
+  EXPECT_EQ(made.written.looks, files_above);
+  EXPECT_EQ(made.written.obstacles, files_above);
+  EXPECT_EQ(made.written.ground, 0U);
   EXPECT_EQ(made.left_out, 0U);
   EXPECT_TRUE(made.hindrances.empty());
 }

@@ -151,6 +151,49 @@ TEST_F(StoreTest, OfManyThatAreMadeAtOnceAlikeNoneIsRefused) {
   EXPECT_TRUE(Store::find(folder_, example_description()));
 }
 
+// The elevation raster of the scene beside its file, say, where the atlas is to lie in the same folder.
+TEST_F(StoreTest, FilesOfOthersByTheNamesOfAnAtlasAreRefusedAndLeftAsTheyAre) {
+  for (const auto& [file, told] : {std::pair("terrain.tif", "terrain.tif"), std::pair("terrain.json", "terrain.json"),
+                                   std::pair("terrain/level_0.tif", "terrain"), std::pair("terrain", "terrain"),
+                                   std::pair("ground/soil.tif", "ground"), std::pair("ground", "ground"),
+                                   std::pair("ground/collection.json", "ground")}) {
+    std::filesystem::remove_all(folder_);
+    std::filesystem::create_directories((folder_ / file).parent_path());
+    std::ofstream(folder_ / file) << "{\"of\": \"others\"}";
+    const std::string refused = folder_.string() + ": holds " + told +
+                                ", which is of no atlas, and a bake would write over it; choose an empty folder";
+    EXPECT_EQ(message_of([&] { static_cast<void>(Store::create(folder_, example_description())); }), refused);
+    EXPECT_EQ(message_of([&] { static_cast<void>(Store::find(folder_, example_description())); }), refused);
+    EXPECT_EQ(bytes_of(folder_ / file), "{\"of\": \"others\"}");
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "collection.json"));
+  }
+}
+
+TEST_F(StoreTest, OtherFilesMayLieWhereAnAtlasIsMade) {
+  std::filesystem::create_directories(folder_ / "patches");
+  for (const char* file :
+       {"scene.toml", "houses.geojson", "terrain.csv", "patches/a.tif", ".collection.json.0-1-0.tmp"})
+    std::ofstream(folder_ / file) << "of others";
+  EXPECT_NO_THROW(static_cast<void>(Store::create(folder_, example_description())));
+  EXPECT_EQ(bytes_of(folder_ / "scene.toml"), "of others");
+}
+
+// What the first of them writes is not taken for a file of others by the next.
+TEST_F(StoreTest, OfManyThatBeginAtOnceAndGoOnAtOnceNoneIsRefused) {
+  for (int attempt = 0; attempt < 20; ++attempt) {
+    const auto folder = folder_ / std::to_string(attempt);
+    std::barrier together(4);
+    std::vector<std::jthread> bakes;
+    for (int bake = 0; bake < 4; ++bake) {
+      bakes.emplace_back([&] {
+        together.arrive_and_wait();
+        EXPECT_NO_THROW(static_cast<void>(Store::create(folder, example_description())));
+        std::ofstream(folder / "terrain.tif") << "heights";
+      });
+    }
+  }
+}
+
 TEST_F(StoreTest, RefusesDescriptionsThatMakeNoSense) {
   AtlasDescription description = example_description();
   description.aspects.azimuths_rad = {0.0, 1e-5};

@@ -323,9 +323,29 @@ TEST(Bake, TilesOfTheTerrainOfAnotherSceneAreMadeAnew) {
   EXPECT_TRUE(terrain::holds_pyramid_of(folder.path("a") / "terrain", higher.terrain, higher.frame));
 }
 
+// As docs/store.md has it of a collection that was damaged: terrain, ground and looks are kept.
+TEST(Bake, WithItsCollectionRemovedAnAtlasIsGoneOnWithAndNotTakenForFilesOfOthers) {
+  const ScratchFolder folder;
+  const scene::Scene scene = bare_scene(20.0);
+  BakeSettings settings = small_bake({40.0});
+  settings.shadows = Shadows::RunTime;
+  baked(scene, settings, folder.path("a"));
+  const auto whole = files_of(folder.path("a"));
+  for (const char* removed : {"collection.json", "ground/collection.json"}) {
+    std::filesystem::remove(folder.path("a") / removed);
+    const BakeReport report = baked(scene, settings, folder.path("a"));
+    EXPECT_EQ(report.already, report.looks) << removed;
+    EXPECT_EQ(difference_of(files_of(folder.path("a")), whole), "") << removed;
+  }
+  for (const char* removed : {"collection.json", "ground/collection.json"})
+    std::filesystem::remove(folder.path("a") / removed);
+  baked(scene, settings, folder.path("a"));
+  EXPECT_EQ(difference_of(files_of(folder.path("a")), whole), "");
+}
+
 TEST(Bake, ATerrainFolderThatIsAFileIsToldPlainly) {
   const ScratchFolder folder;
-  std::filesystem::create_directories(folder.path("a"));
+  static_cast<void>(atlas::Store::create(folder.path("a"), description_of(bare_scene(20.0), small_bake({40.0}))));
   std::ofstream(folder.path("a") / "terrain") << "not a folder";
   EXPECT_THAT(message_of_error([&] { baked(bare_scene(20.0), small_bake({40.0}), folder.path("a")); }),
               ::testing::AllOf(::testing::HasSubstr("a/terrain"), ::testing::HasSubstr("(Not a directory)"),

@@ -1,0 +1,66 @@
+#include "sigmascape/atlas/files_of_others.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <system_error>
+
+#include "sigmascape/atlas/ground_layers.h"
+#include "sigmascape/atlas/stac_catalog.h"
+#include "sigmascape/atlas/stac_description.h"
+#include "sigmascape/atlas/stac_document.h"
+#include "sigmascape/atlas/store.h"
+#include "sigmascape/atlas/texture_file.h"
+#include "sigmascape/base/error.h"
+#include "sigmascape/geo/is_absent.h"
+
+namespace sigmascape::atlas {
+namespace {
+
+/// Whether the item beside the terrain is one of an atlas, of whatever format. What it vouches for may be damaged.
+bool is_item(const std::filesystem::path& file) {
+  const auto text = text_of(file).text;
+  if (!text) return false;
+  const Json item = Json::parse(*text, nullptr, false);
+  const auto properties = item.find("properties");
+  return properties != item.end() && properties->contains("sigmascape:sha256");
+}
+
+bool is_collection(const std::filesystem::path& file) {
+  try {
+    static_cast<void>(description_from(text_of(file).text.value_or(""), file));
+    return true;
+  } catch (const Error&) {
+    return false;
+  }
+}
+
+/// Whether nothing is in the folder of the ground but what a store has. Places have names that nobody else gives.
+bool is_ground(const std::filesystem::path& folder) {
+  const auto is_of_store = [](const std::filesystem::directory_entry& entry) {
+    const std::string name = entry.path().filename().string();
+    return name == collection_name
+               ? is_collection(entry.path())
+               : name.starts_with("patch_") || name.starts_with("pyramid_") || name.starts_with(".");
+  };
+  std::error_code is_no_folder;
+  const std::filesystem::directory_iterator entries(folder, is_no_folder);
+  return !is_no_folder && std::ranges::all_of(entries, is_of_store);
+}
+
+}  // namespace
+
+std::optional<std::string> file_of_others(const std::filesystem::path& folder) {
+  const auto is_there = [&](const std::filesystem::path& name) { return !geo::is_absent(folder / name); };
+  const std::filesystem::path terrain_item = item_path(std::filesystem::path(terrain_name));
+  for (const std::filesystem::path& name : {std::filesystem::path(terrain_name), terrain_item}) {
+    if (is_there(name) && !is_item(folder / terrain_item)) return name.string();
+  }
+  // A pyramid of tiles begins with one heading and ends with the other: terrain/pyramid_files.h.
+  const std::filesystem::path pyramid = terrain_pyramid_name;
+  if (is_there(pyramid) && !is_there(pyramid / "pyramid.toml") && !is_there(pyramid / "unfinished.toml"))
+    return pyramid.string();
+  if (is_there(ground_folder) && !is_ground(folder / ground_folder)) return ground_folder;
+  return std::nullopt;
+}
+
+}  // namespace sigmascape::atlas
