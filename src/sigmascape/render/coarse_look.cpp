@@ -6,6 +6,7 @@
 
 #include "sigmascape/radar/channels.h"
 #include "sigmascape/radar/rectangle_parts.h"
+#include "sigmascape/render/extent_cells.h"
 
 namespace sigmascape::render {
 namespace {
@@ -14,26 +15,48 @@ using atlas::Half;
 using atlas::tile_side;
 constexpr std::size_t channels = radar::Channels::count;
 
-/// Means over squares, from [row][column][channel] to the same of fewer.
-std::vector<Half> means_of(std::span<const Half> tile, std::size_t side) {
+/// How much of each column and row of a tile lies within the extent.
+struct PartsWithin {
+  std::array<float, tile_side> of_column, of_row;
+
+  PartsWithin(const atlas::AtlasDescription& atlas, const atlas::TileAddress& tile) {
+    const ExtentCells cells(atlas.extent, atlas::texel_side_m(atlas.patches, tile.level));
+    constexpr auto side = static_cast<double>(tile_side);
+    for (std::size_t i = 0; i < tile_side; ++i) {
+      const auto along = static_cast<double>(i);
+      of_column[i] = static_cast<float>(cells.columns.part_of(tile.x * side + along));
+      of_row[i] = static_cast<float>(cells.rows.part_of((tile.y + 1) * side - 1.0 - along));
+    }
+  }
+};
+
+/// Means over what squares have of the extent, from [row][column][channel] to the same of fewer; black beyond. What is
+/// black around a scene would make its border too dark, for no more of that is shown than lies within.
+std::vector<Half> means_of(std::span<const Half> tile, const PartsWithin& within, std::size_t side) {
   const std::size_t each = tile_side / side;
-  const float part = 1.0F / static_cast<float>(each * each);
+  std::vector<float> widths(side);
+  for (std::size_t column = 0; column < tile_side; ++column) widths[column / each] += within.of_column[column];
   std::vector<Half> means;
   means.reserve(side * side * channels);
   std::vector<float> sums(side * channels);
+  float height = 0.0F;
   for (std::size_t row = 0; row < tile_side; ++row) {
     const Half* const from = tile.data() + row * tile_side * channels;
+    height += within.of_row[row];
     for (std::size_t column = 0; column < tile_side; ++column) {
       float* const to = sums.data() + column / each * channels;
+      const float part = within.of_column[column] * within.of_row[row];
       for (std::size_t channel = 0; channel < channels; ++channel) {
-        to[channel] += atlas::float_from_finite_half(from[column * channels + channel]);
+        to[channel] += part * atlas::float_from_finite_half(from[column * channels + channel]);
       }
     }
     if ((row + 1) % each != 0) continue;
-    for (float& sum : sums) {
-      means.push_back(atlas::half_from_float(sum * part));
-      sum = 0.0F;
+    for (std::size_t i = 0; i < sums.size(); ++i) {
+      const float area = widths[i / channels] * height;
+      means.push_back(atlas::half_from_float(area > 0.0F ? sums[i] / area : 0.0F));
+      sums[i] = 0.0F;
     }
+    height = 0.0F;
   }
   return means;
 }
@@ -43,7 +66,8 @@ CoarseLook look_of_tile(const atlas::TileReader& tiles, const atlas::TileAddress
                         std::size_t side) {
   CoarseLook read{std::vector<Half>(atlas::TileReader::tile_halves)};
   read.scale = tiles.read(tile, look, std::span<Half, atlas::TileReader::tile_halves>(read.halves));
-  if (read.scale != 0.0 && side < tile_side) read.halves = means_of(read.halves, side);
+  if (read.scale != 0.0 && side < tile_side)
+    read.halves = means_of(read.halves, PartsWithin(tiles.description(), tile), side);
   return read;
 }
 

@@ -8,7 +8,7 @@
 
 namespace sigmascape::render {
 
-/// One look of a tile in fewer texels than are stored, each the mean of those that it covers.
+/// One look of a tile in fewer texels than are stored, each the mean of what it covers of the atlas' extent.
 struct CoarseLook {
   std::vector<atlas::Half> halves;  ///< [row][column][channel], north up
   double scale = 0.0;               ///< σ0 of a stored 1; 0 when the look cannot be had

@@ -47,8 +47,9 @@ struct LatticeRow {
   alignas(64) Of<float> cotangent, sine;  ///< of the grazing angle above the curved horizontal
   alignas(64) Of<float> beam;             ///< azimuth in units of bins, 0.5 in the middle of the first of the sector
   alignas(64) Of<float> range_bin;        ///< slant range in units of bins
-  alignas(64) Of<float> lit;              ///< 1 where the radar sees the texel, else 0; of objects a part
-  alignas(64) Of<float> horizon;          ///< slope of the steepest line of sight to nearer ground
+  alignas(64) Of<float> lit;      ///< 1 where the radar sees the texel, else 0; of objects and across the border of the
+                                  ///< extent a part
+  alignas(64) Of<float> horizon;  ///< slope of the steepest line of sight to nearer ground
 
   // Where texels are wider than beams.
   double first_middle_east_m = 0.0, middle_north_m = 0.0;  ///< of the first texel, from the radar

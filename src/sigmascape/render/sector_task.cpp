@@ -40,36 +40,6 @@ std::size_t odd_lines(const LiveSettings& settings) {
   return ((settings.ranges + a_line - 1) / a_line | 1U) * a_line;
 }
 
-/// All that patches may have been written for.
-radar::Rectangle stored_by(const atlas::AtlasDescription& atlas) {
-  const double side_m = atlas.patches.side_m();
-  const auto before = [side_m](double edge_m) { return std::floor(edge_m / side_m) * side_m; };
-  const auto after = [side_m](double edge_m) { return std::ceil(edge_m / side_m) * side_m; };
-  return {before(atlas.extent.west_m), before(atlas.extent.south_m), after(atlas.extent.east_m),
-          after(atlas.extent.north_m)};
-}
-
-/// Tiles as columns and rows of the lattice, counted eastwards and northwards.
-struct LatticeBlock {
-  double west, east, south, north;
-
-  explicit LatticeBlock(const atlas::TileBlock& tiles)
-      : west(static_cast<double>(tiles.west) * side),
-        east(west + static_cast<double>(tiles.across) * side),
-        south(north_of(tiles) - static_cast<double>(tiles.down) * side),
-        north(north_of(tiles)) {}
-
-  /// Of the cells of a row from one column to before another those within.
-  [[nodiscard]] double cells_of_row(double row, double from, double to) const {
-    if (row < south || row >= north) return 0.0;
-    return std::max(std::min(to, east) - std::max(from, west), 0.0);
-  }
-
- private:
-  static constexpr auto side = static_cast<double>(atlas::tile_side);
-  static double north_of(const atlas::TileBlock& tiles) { return static_cast<double>(tiles.north + 1) * side; }
-};
-
 /// Counts places from the radar.
 SIGMASCAPE_VECTOR_TARGETS
 void move(LatticeRow& row, double radar_east_m, double radar_north_m) {
@@ -98,7 +68,6 @@ void hand_over_beam(float* __restrict own, std::size_t count, float* __restrict 
 SectorTask::SectorTask(const FrameParts& parts)
     : parts_(parts),
       pages_(parts.ground.stand_in()),
-      stored_(stored_by(parts.ground.description())),
       stride_(odd_lines(parts.settings)),
       own_bins_(std::min(beams_together(parts.settings.beam_step_rad), parts.settings.beams) * stride_ *
                 numbers_a_bin(parts.settings.content) / 16) {}
@@ -118,23 +87,23 @@ void SectorTask::add_level(const Pose& pose, Beams beams, std::size_t level, std
   start(pose, beams, level);
   share_ = share;
   const radar::Rectangle ground = radar::moved(sector_.bounds(), {pose.position.x, pose.position.y});
-  const atlas::TileBlock tiles = atlas::tiles_over(patches(), radar::common_part(ground, stored_), level);
+  const radar::Rectangle within = radar::common_part(ground, parts_.ground.description().extent);
+  const atlas::TileBlock tiles = atlas::tiles_over(patches(), within, level);
   for (std::size_t number = 0; number < tiles.size(); ++number) fill_tile(tiles.at(number));
-  if (tiles.size() < atlas::tiles_over(patches(), ground, level).size()) count_outside(tiles, ground);
+  if (within != ground) count_outside(ground);
 }
 
-void SectorTask::count_outside(const atlas::TileBlock& inside, const radar::Rectangle& ground) {
+void SectorTask::count_outside(const radar::Rectangle& ground) {
   constexpr double most_rows = 2048.0;
   const double first = std::floor(ground.south_m / texel_m_), end = std::ceil(ground.north_m / texel_m_);
   const double every = std::ceil((end - first) / most_rows);
-  const LatticeBlock block(inside);
   double cells = 0.0;
   for (double row = first; row < end; row += every) {
     const Sector::Stretches stretches = sector_.along_row((row + 0.5) * texel_m_ - pose_->position.y);
     for (std::size_t s = 0; s < stretches.count; ++s) {
       const double from = std::ceil((stretches.of[s].west_m + pose_->position.x) / texel_m_ - 0.5);
       const double to = std::floor((stretches.of[s].east_m + pose_->position.x) / texel_m_ - 0.5) + 1.0;
-      if (to > from) cells += (to - from - block.cells_of_row(row, from, to)) * every;
+      if (to > from) cells += (to - from - of_extent_.cells_of_row(row, from, to)) * every;
     }
   }
   report_.cells += static_cast<std::size_t>(cells);
@@ -146,6 +115,7 @@ void SectorTask::start(const Pose& pose, Beams beams, std::size_t level) {
   pose_ = &pose;
   level_ = level;
   texel_m_ = atlas::texel_side_m(patches(), level);
+  of_extent_ = ExtentCells(parts_.ground.description().extent, texel_m_);
   const double step = settings.beam_step_rad;
   // Reckoned from the whole group of beams, so that a scan in pieces gives the bytes of a frame.
   const std::size_t group = beams_together(step);
@@ -172,17 +142,23 @@ void SectorTask::start(const Pose& pose, Beams beams, std::size_t level) {
 void SectorTask::fill_tile(const atlas::TileAddress& tile) {
   const radar::GroundGrid texels = atlas::texels_of(patches(), tile);
   const double west = texels.west_m - pose_->position.x;
+  constexpr auto side = static_cast<double>(atlas::tile_side);
+  const double first_column = tile.x * side, northernmost = (tile.y + 1) * side - 1.0;
+  const double least = std::max(of_extent_.columns.first() - first_column, 0.0);
+  const double most = std::min(of_extent_.columns.end() - first_column, side);
+  const auto first_row = static_cast<std::size_t>(std::max(northernmost + 1.0 - of_extent_.rows.end(), 0.0));
+  const auto end_row = static_cast<std::size_t>(std::min(northernmost + 1.0 - of_extent_.rows.first(), side));
   shadows_.begin(parts_.shadows.of_group(first_beam_ / beams_together(parts_.settings.beam_step_rad)),
                  {west, texels.north_m - pose_->position.y, texel_m_, atlas::tile_side, atlas::tile_side});
-  for (std::size_t row = 0; row < atlas::tile_side; ++row) {
+  for (std::size_t row = first_row; row < end_row; ++row) {
     shadows_.go_to_row(row);
     const double north = texels.centre_of(0, row).y - pose_->position.y;
     const Sector::Stretches stretches = sector_.along_row(north);
     for (std::size_t s = 0; s < stretches.count; ++s) {
       const double from = std::ceil((stretches.of[s].west_m - west) / texel_m_ - 0.5);
       const double to = std::floor((stretches.of[s].east_m - west) / texel_m_ - 0.5) + 1.0;
-      const auto first = static_cast<std::size_t>(std::max(from, 0.0));
-      const double end = std::min(to, static_cast<double>(atlas::tile_side));
+      const auto first = static_cast<std::size_t>(std::max(from, least));
+      const double end = std::min(to, most);
       if (end > static_cast<double>(first)) fill_stretch({tile, row, first}, static_cast<std::size_t>(end) - first);
     }
   }
@@ -209,6 +185,7 @@ void SectorTask::fill_stretch(const Place& place, std::size_t count) {
   report_.lit += light(row_, horizon());
   report_.lit -= shadows_.shade(row_, place.first_column);
   if (apart) light_apart_from(ground);
+  keep_within_extent(apart ? row_.ground_lit : row_.lit);
   const auto area_m2 = static_cast<float>(texel_m_ * texel_m_) * share_;
   Shortfall shortfall = blend_by_aspect(place, area_m2);
   if (apart) shortfall.join(add_bare_ground(place, area_m2), count);
@@ -280,6 +257,16 @@ void SectorTask::light_apart_from(const PageRow& ground) {
     row_.top_m[i] = ground.page->top_m[texel];
   }
   light_apart(row_, horizon());
+}
+
+void SectorTask::keep_within_extent(LatticeRow::Of<float>& seen) const {
+  if (const double of_row = of_extent_.rows.part_of(first_cell_.row); of_row < 1.0) {
+    for (std::size_t i = 0; i < row_.count; ++i) seen[i] *= static_cast<float>(of_row);
+  }
+  const std::size_t last = row_.count - 1;
+  seen[0] *= static_cast<float>(of_extent_.columns.part_of(first_cell_.column));
+  if (last > 0)
+    seen[last] *= static_cast<float>(of_extent_.columns.part_of(first_cell_.column + static_cast<double>(last)));
 }
 
 SectorTask::Shortfall SectorTask::of(const PageRow& source, std::size_t count) {

@@ -9,6 +9,7 @@
 #include "sigmascape/atlas/tile_block.h"
 #include "sigmascape/radar/scatterer_lattice.h"
 #include "sigmascape/render/box_shadows.h"
+#include "sigmascape/render/extent_cells.h"
 #include "sigmascape/render/lattice_row.h"
 #include "sigmascape/render/live_renderer.h"
 #include "sigmascape/render/page_rows.h"
@@ -79,16 +80,19 @@ class SectorTask {
   /// The first or the second of the two.
   void add_level(const Pose& pose, Beams beams, std::size_t level, std::size_t which, float share);
   void start(const Pose& pose, Beams beams, std::size_t level);
-  /// Reports the cells of the sector outside the tiles that it was looked up in, all within a rectangle of the ground:
-  /// there the atlas has nothing, and however far a radar looks beyond a small one, they are not gone over. Of more
-  /// than some thousand rows every second, third … one is counted for all.
-  void count_outside(const atlas::TileBlock& inside, const radar::Rectangle& ground);
+  /// Reports the cells of the sector beyond the atlas' extent, all within a rectangle of the ground: there the scene
+  /// has ended, and however far a radar looks beyond a small one, they are not gone over. Of more than some thousand
+  /// rows every second, third … one is counted for all.
+  void count_outside(const radar::Rectangle& ground);
   void fill_tile(const atlas::TileAddress& tile);
   void fill_stretch(const Place& place, std::size_t count);
   /// Puts the scatterers of the stretch in their places.
   void place_scatterers(const Place& place);
   /// Tells what is seen of the ground from what is seen of the things on it.
   void light_apart_from(const PageRow& ground);
+  /// Leaves of what is seen of the cells across the border of the extent the part of their ground within. What stands
+  /// on it, where ground is kept apart, is the scene's all the same: nothing else is in the textures of such cells.
+  void keep_within_extent(LatticeRow::Of<float>& seen) const;
   /// Adds the bare ground of the stretch: each texel by the elevations about its own local grazing angle.
   Shortfall add_bare_ground(const Place& place, float area_m2);
   Shortfall add_bare_elevations(const Place& place, std::uint32_t first, std::uint32_t last);
@@ -116,7 +120,6 @@ class SectorTask {
 
   FrameParts parts_;
   PageRows pages_;
-  radar::Rectangle stored_;  // what the atlas has patches of
   FrameReport report_;
 
   std::size_t stride_;  // bins between beams: a row across the beams must fit the caches
@@ -131,6 +134,7 @@ class SectorTask {
   const terrain::TerrainView* terrain_ = nullptr;
   std::size_t level_ = 0, first_beam_ = 0;
   double texel_m_ = 1.0;
+  ExtentCells of_extent_;
   double first_azimuth_rad_ = 0.0;
   float share_ = 1.0F;  // of the level's power
   Sector sector_;

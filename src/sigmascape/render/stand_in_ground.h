@@ -14,9 +14,10 @@ namespace sigmascape::render {
 /// page is there.
 ///
 /// Pages of the coarsest level's tiles, of which there are four at most (atlas::PyramidTiles), with 16² to 256² texels
-/// each. A texel is the mean of the stored ones that it covers: σ0 is power per area, and its area mean keeps power. A
-/// tile that cannot be read is made from the four of the next finer level; a page of which a look cannot be had that
-/// way either is not there. Nothing changes once it is made, and any number of threads may look.
+/// each. A texel is the mean of the stored ones that it covers: σ0 is power per area, and its area mean keeps power. Of
+/// what lies beyond the atlas' extent nothing is shown, and nothing goes into the mean. A tile that cannot be read is
+/// made from the four of the next finer level; a page of which a look cannot be had that way either is not there.
+/// Nothing changes once it is made, and any number of threads may look.
 class StandInGround {
  public:
   /// The fewest texels a side that a page may have.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 #include <memory>
+#include <optional>
 
 #include "scratch_folder.h"
 
@@ -22,6 +23,9 @@ namespace sigmascape::render {
 struct ExampleGround {
   double texel_m = 4.0;
   int patches_a_side = 2;
+  std::size_t texels_a_patch = atlas::tile_side;  ///< a side
+  /// Of the scene, where it ends before its patches do; what `sigma0` says goes on to their edges.
+  std::optional<radar::Rectangle> extent = {};
   bool about_origin = false;  ///< where four tiles of any level meet
   int azimuths = 4;
   std::vector<double> elevations_deg = {5.0, 13.0, 37.0};
@@ -39,7 +43,7 @@ struct ExampleGround {
   std::vector<double> ground_elevations_deg = {2.0, 5.0, 10.0, 20.0, 45.0, 88.0};
   std::function<radar::Obstacle(Vec2d)> obstacle = [](Vec2d) { return radar::Obstacle{}; };
 
-  [[nodiscard]] double side_m() const { return 256.0 * texel_m * patches_a_side; }
+  [[nodiscard]] double side_m() const { return static_cast<double>(texels_a_patch) * texel_m * patches_a_side; }
   [[nodiscard]] Vec2d south_west() const { return about_origin ? Vec2d{-side_m() / 2.0, -side_m() / 2.0} : Vec2d{}; }
   [[nodiscard]] Vec2d middle() const { return south_west() + Vec2d{side_m() / 2.0, side_m() / 2.0}; }
 
@@ -47,8 +51,9 @@ struct ExampleGround {
     atlas::AtlasDescription description;
     description.name = "example";
     const Vec2d corner = south_west();
-    description.extent = {corner.x, corner.y, corner.x + side_m(), corner.y + side_m()};
-    description.patches = {texel_m, atlas::tile_side};
+    description.extent =
+        extent.value_or(radar::Rectangle{corner.x, corner.y, corner.x + side_m(), corner.y + side_m()});
+    description.patches = {texel_m, texels_a_patch};
     description.scene_hash = scene_hash;
     for (int azimuth = 0; azimuth < azimuths; ++azimuth) {
       description.aspects.azimuths_rad.push_back(radians_from_deg(azimuth * 360.0 / azimuths));
