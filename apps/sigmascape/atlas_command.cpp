@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <iterator>
+#include <optional>
 #include <system_error>
 #include <vector>
 
@@ -15,8 +16,10 @@
 #include "words.h"
 
 #include "sigmascape/atlas/atlas_summary.h"
+#include "sigmascape/atlas/ground_layers.h"
 #include "sigmascape/atlas/levels_above.h"
 #include "sigmascape/atlas/store.h"
+#include "sigmascape/atlas/terrain_file.h"
 #include "sigmascape/atlas/texture_file.h"
 #include "sigmascape/atlas/verify.h"
 #include "sigmascape/bake/claims.h"
@@ -25,6 +28,8 @@
 #include "sigmascape/geo/coordinate_transform.h"
 #include "sigmascape/geo/raster.h"
 #include "sigmascape/terrain/extent_about.h"
+#include "sigmascape/terrain/height_difference.h"
+#include "sigmascape/terrain/height_field_file.h"
 #include "sigmascape/terrain/pyramid_builder.h"
 
 namespace sigmascape::cli {
@@ -45,14 +50,26 @@ nlohmann::ordered_json json_of(const std::vector<atlas::StoreFault>& faults) {
   return list;
 }
 
-/// What is wrong with the tiles of the terrain, by file of the atlas.
-std::vector<atlas::StoreFault> terrain_faults(const atlas::Store& atlas) {
+/// What is wrong with the tiles of the terrain, by file of the atlas. `faults_in` tells it of their folder.
+template <typename FaultsIn>
+std::vector<atlas::StoreFault> tile_faults(const atlas::Store& atlas, const FaultsIn& faults_in) {
   const std::filesystem::path name = atlas::terrain_pyramid_name;
   std::error_code error;
   if (!std::filesystem::exists(atlas.folder() / name, error) && !error) return {{name / "", "is missing", true}};
   std::vector<atlas::StoreFault> faults;
-  for (const terrain::PyramidFault& fault : terrain::verify_pyramid(atlas.folder() / name, atlas.description().frame))
+  for (const terrain::PyramidFault& fault : faults_in(atlas.folder() / name))
     faults.push_back({name / fault.file, fault.what});
+  return faults;
+}
+
+std::vector<atlas::StoreFault> in_list(const std::optional<atlas::StoreFault>& fault) {
+  return fault ? std::vector{*fault} : std::vector<atlas::StoreFault>{};
+}
+
+/// What is missing of the terrain, in one piece and in tiles.
+std::vector<atlas::StoreFault> terrain_faults(const atlas::Store& atlas, const atlas::AtlasSummary& summary) {
+  std::vector<atlas::StoreFault> faults = in_list(summary.terrain_fault);
+  std::ranges::move(tile_faults(atlas, terrain::missing_files), std::back_inserter(faults));
   return faults;
 }
 
@@ -61,7 +78,10 @@ void verify(const std::string& folder, const Output& output) {
   TerminalProgress progress;
   std::vector<atlas::StoreFault> faults = atlas::verify(store, atlas::Scrutiny::Content, &progress);
   const std::size_t texture_faults = faults.size();
-  std::ranges::move(terrain_faults(store), std::back_inserter(faults));
+  const auto verified = [&](const std::filesystem::path& tiles) {
+    return terrain::verify_pyramid(tiles, store.description().frame);
+  };
+  std::ranges::move(tile_faults(store, verified), std::back_inserter(faults));
   std::string text;
   for (const atlas::StoreFault& fault : faults) text += fmt::format("{} {}\n", fault.file.string(), fault.what);
   const std::size_t looks = store.unit_count();
@@ -74,6 +94,13 @@ void verify(const std::string& folder, const Output& output) {
                     faults.size() > texture_faults ? ", and 'sigmascape atlas terrain' the terrain that it made" : "");
   output.finish(text, {{"atlas", folder}, {"looks", looks}, {"faults", json_of(faults)}});
   if (!faults.empty()) end_with(1);
+}
+
+std::string written_text(const atlas::LevelsAbove::Written& written) {
+  std::string text = fmt::format("{} above the patches written", counted(written.all(), "file", "files"));
+  if (written.all() == written.looks) return text + (written.looks > 0 ? ", all of looks" : "");
+  return text + fmt::format(": {} of looks, {} of obstacles and {} of ground", written.looks, written.obstacles,
+                            written.ground);
 }
 
 /// What could not be made and why, to stand behind what was.
@@ -89,11 +116,13 @@ std::string left_out_text(const atlas::LevelsAbove& made) {
 
 void make_pyramid(const std::string& folder, const Output& output) {
   const atlas::LevelsAbove made = atlas::make_levels_above(atlas::Store::open(folder));
-  output.finish(fmt::format("{} written{}", counted(made.written, "texture", "textures"), left_out_text(made)),
-                {{"atlas", folder},
-                 {"written", made.written},
-                 {"left_out", made.left_out},
-                 {"because", json_of(made.hindrances)}});
+  output.finish(written_text(made.written) + left_out_text(made), {{"atlas", folder},
+                                                                   {"written", made.written.all()},
+                                                                   {"looks", made.written.looks},
+                                                                   {"obstacles", made.written.obstacles},
+                                                                   {"ground", made.written.ground},
+                                                                   {"left_out", made.left_out},
+                                                                   {"because", json_of(made.hindrances)}});
   if (made.left_out > 0) end_with(1);
 }
 
@@ -104,7 +133,21 @@ nlohmann::ordered_json errors_of(const atlas::AtlasSummary& summary) {
       {"smallest", summary.error->smallest}, {"median", summary.error->median}, {"largest", summary.error->largest}};
 }
 
-nlohmann::ordered_json summary_of(const atlas::AtlasDescription& atlas, const atlas::AtlasSummary& summary) {
+nlohmann::ordered_json json_of(const atlas::AtlasSummary::Files& files) {
+  return {{"files", files.planned}, {"files_done", files.done}};
+}
+
+/// Null where the ground is not kept apart. How many files it has nobody knows without its collection.
+nlohmann::ordered_json ground_of(const atlas::Store& atlas, const atlas::AtlasSummary& summary) {
+  if (!atlas::keeps_ground_apart(atlas)) return nullptr;
+  nlohmann::ordered_json ground = json_of(summary.ground);
+  if (summary.ground_fault) ground["files"] = nullptr;
+  ground["faults"] = json_of(in_list(summary.ground_fault));
+  return ground;
+}
+
+nlohmann::ordered_json summary_of(const atlas::Store& store, const atlas::AtlasSummary& summary) {
+  const atlas::AtlasDescription& atlas = store.description();
   return {{"name", atlas.name},
           {"crs", atlas.frame.proj()},
           {"extent_m", {atlas.extent.west_m, atlas.extent.south_m, atlas.extent.east_m, atlas.extent.north_m}},
@@ -118,8 +161,11 @@ nlohmann::ordered_json summary_of(const atlas::AtlasDescription& atlas, const at
           {"looks_done", summary.looks_done},
           {"pyramid",
            {{"levels", summary.pyramid_levels},
-            {"textures", summary.pyramid_textures},
-            {"textures_done", summary.pyramid_done}}},
+            {"textures", summary.pyramid.planned},
+            {"textures_done", summary.pyramid.done}}},
+          {"obstacles", atlas::keeps_ground_apart(store) ? json_of(summary.obstacles) : nullptr},
+          {"ground", ground_of(store, summary)},
+          {"terrain", {{"faults", json_of(terrain_faults(store, summary))}}},
           {"bytes", summary.bytes},
           {"bytes_per_look", summary.bytes_per_look},
           {"relative_standard_error", errors_of(summary)},
@@ -138,7 +184,20 @@ std::string error_text(const atlas::AtlasSummary& summary) {
                      100 * summary.error->smallest, 100 * summary.error->largest);
 }
 
-std::string text_of(const atlas::AtlasDescription& atlas, const atlas::AtlasSummary& summary) {
+/// "k of n files, those above the patches included".
+std::string files_text(const atlas::AtlasSummary::Files& files) {
+  return fmt::format("{} of {}, those above the patches included", files.done, counted(files.planned, "file", "files"));
+}
+
+/// The first of them for all.
+std::string faults_text(const std::vector<atlas::StoreFault>& faults) {
+  const atlas::StoreFault& first = faults.front();
+  return fmt::format("{} {}{}", first.file.string(), first.what,
+                     faults.size() == 1 ? "" : fmt::format(", and {} more like it", faults.size() - 1));
+}
+
+std::string text_of(const atlas::Store& store, const atlas::AtlasSummary& summary) {
+  const atlas::AtlasDescription& atlas = store.description();
   std::string text = fmt::format("{}\n", atlas.name);
   const auto line = [&text](std::string_view name, const std::string& value) {
     text += fmt::format("  {:<18}{}\n", name, value);
@@ -154,9 +213,15 @@ std::string text_of(const atlas::AtlasDescription& atlas, const atlas::AtlasSumm
   for (double& frequency : frequencies_ghz) frequency /= 1e9;
   line("frequencies", fmt::format("{:g} GHz", fmt::join(frequencies_ghz, ", ")));
   line("looks done", fmt::format("{} of {}", summary.looks_done, summary.looks));
-  line("pyramid",
-       fmt::format("{} above the patches, {} of {} textures", counted(summary.pyramid_levels, "level", "levels"),
-                   summary.pyramid_done, summary.pyramid_textures));
+  line("looks above", fmt::format("{} of {} in {} above the patches", summary.pyramid.done,
+                                  counted(summary.pyramid.planned, "file", "files"),
+                                  counted(summary.pyramid_levels, "level", "levels")));
+  if (atlas::keeps_ground_apart(store)) {
+    line("obstacles", files_text(summary.obstacles));
+    line("ground", summary.ground_fault ? faults_text({*summary.ground_fault}) : files_text(summary.ground));
+  }
+  const std::vector<atlas::StoreFault> of_terrain = terrain_faults(store, summary);
+  line("terrain", of_terrain.empty() ? "all there" : faults_text(of_terrain));
   line("size",
        fmt::format("{}, {} a look", size_text(static_cast<double>(summary.bytes)), size_text(summary.bytes_per_look)));
   line("texel error", error_text(summary));
@@ -197,6 +262,20 @@ void warn_of_guessed_unit(const terrain::TerrainSource& source, const geo::Raste
       source.raster.file.string()));
 }
 
+/// Live frames stand on the tiles, inside the scene as well. What was baked there belongs to the scene's own heights,
+/// and where these are more than a texel away the ground has other slopes and shadows. At a few places they may be: no
+/// raster has every edge of another.
+void warn_of_other_heights(const atlas::Store& store, const std::string& raster, terrain::TerrainPyramid& tiles) {
+  if (atlas::terrain_fault(store, atlas::Scrutiny::Content)) return;
+  const auto baked = terrain::read_height_field(atlas::vouched_terrain(store, atlas::Scrutiny::Size));
+  const auto apart = terrain::height_difference(tiles, baked, store.description().extent);
+  if (!apart || apart->nearly_all_m <= store.description().patches.texel_m) return;
+  warn(fmt::format(
+      "{}: lies up to {:.1f} m above or below the heights that the atlas was baked on, {:.1f} m in the median; live "
+      "frames stand on it inside the scene too: lay the scene's own elevation over it, and give --spacing {:.3g}",
+      raster, apart->greatest_m, apart->median_m, baked.spacing_m));
+}
+
 /// Heights from a raster about the atlas, in tiles beside it.
 void build_terrain(const std::string& folder, terrain::TerrainSource source, double no_data_height_m,
                    const Output& output) {
@@ -215,7 +294,8 @@ void build_terrain(const std::string& folder, terrain::TerrainSource source, dou
     progress.waiting("terrain", "a bake that makes that of the atlas");
   });
   const terrain::PyramidBuild build = terrain::build_pyramid(pyramid, source, frame, reach, no_data_height_m);
-  const terrain::TerrainPyramid built = terrain::open_pyramid(pyramid, 0);
+  terrain::TerrainPyramid built = terrain::open_pyramid(pyramid, 0);
+  warn_of_other_heights(store, source.raster.file.string(), built);
   const terrain::PyramidLayout& layout = built.layout();
   const radar::Rectangle extent = layout.extent();
   std::string text = fmt::format("{}, {} x {} tiles of {} cells of {:g} m: {:.0f} m x {:.0f} m; {} written",
@@ -272,11 +352,12 @@ void add_atlas_command(Command app, Output& output) {
     added.footer(fmt::format("Example:\n  sigmascape atlas {}", example));
     return added;
   };
-  subcommand("info", "Print axes, patches, looks done, size, errors, settings and sources", "info out/bilbao_atlas")
+  subcommand("info", "Print axes, patches, which files are there, size, errors, settings and sources",
+             "info out/bilbao_atlas")
       .callback([folder, &output] {
         const atlas::Store store = atlas::Store::open(*folder);
         const atlas::AtlasSummary summary = atlas::summary_of(store);
-        output.finish(text_of(store.description(), summary), summary_of(store.description(), summary));
+        output.finish(text_of(store, summary), summary_of(store, summary));
       });
   subcommand(
       "verify",

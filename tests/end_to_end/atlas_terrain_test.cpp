@@ -51,16 +51,21 @@ class AtlasTerrain : public ::testing::Test {
     return folder_.write(name, grid.text([](double x, double) { return 0.01 * (x - 400'000.0); })).string();
   }
   [[nodiscard]] int run(const std::string& arguments) const {
-    const int status = std::system(
-        fmt::format("'{}' {} > '{}' 2>&1", SIGMASCAPE_CLI, arguments, folder_.path("told").string()).c_str());
+    const int status = std::system(fmt::format("'{}' {} > '{}' 2> '{}'", SIGMASCAPE_CLI, arguments,
+                                               folder_.path("printed").string(), folder_.path("warned").string())
+                                       .c_str());
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
   }
   [[nodiscard]] int add_terrain(const std::string& raster, const std::string& more = {}) const {
     return run(fmt::format("atlas terrain '{}' '{}' --crs EPSG:25830 {} --json", atlas_.string(), raster, more));
   }
   [[nodiscard]] int verify() const { return run(fmt::format("atlas verify '{}' --json", atlas_.string())); }
-  [[nodiscard]] std::string told() const {
-    std::ifstream stream(folder_.path("told"));
+  [[nodiscard]] std::string printed() const { return text_of("printed"); }
+  /// And what went to standard error.
+  [[nodiscard]] std::string told() const { return printed() + text_of("warned"); }
+
+  [[nodiscard]] std::string text_of(const char* file) const {
+    std::ifstream stream(folder_.path(file));
     return {std::istreambuf_iterator<char>(stream), {}};
   }
 
@@ -71,24 +76,24 @@ class AtlasTerrain : public ::testing::Test {
 TEST_F(AtlasTerrain, IsMadeVerifiedAndMended) {
   const std::string heights = raster(497'000.0, "heights.asc");
   ASSERT_EQ(add_terrain(heights), 0) << told();
-  const Json made = Json::parse(told());
+  const Json made = Json::parse(printed());
   const std::size_t tiles = made.at("written");
   EXPECT_GT(tiles, 4U);
   ASSERT_EQ(verify(), 0) << told();
 
   ASSERT_EQ(add_terrain(heights), 0) << told();
-  EXPECT_EQ(Json::parse(told()).at("written"), 0);
+  EXPECT_EQ(Json::parse(printed()).at("written"), 0);
 
   std::filesystem::remove(atlas_ / "terrain" / "level_0" / "1_1.tif");
   std::filesystem::resize_file(atlas_ / "terrain" / "level_1" / "0_0.tif", 500);
   EXPECT_EQ(verify(), 1);
-  const Json faults = Json::parse(told()).at("faults");
+  const Json faults = Json::parse(printed()).at("faults");
   ASSERT_EQ(faults.size(), 2U) << told();
   EXPECT_EQ(faults[0].at("file"), "terrain/level_0/1_1.tif");
   EXPECT_EQ(faults[0].at("fault"), "is missing");
   EXPECT_EQ(faults[1].at("file"), "terrain/level_1/0_0.tif");
   ASSERT_EQ(add_terrain(heights), 0) << told();
-  EXPECT_EQ(Json::parse(told()).at("written"), 2);
+  EXPECT_EQ(Json::parse(printed()).at("written"), 2);
   EXPECT_EQ(verify(), 0) << told();
 }
 
@@ -105,7 +110,7 @@ TEST_F(AtlasTerrain, MayComeFromARasterOfAContinentOrTheGlobe) {
           .string();
   for (const std::string& raster : {europe + "' --crs 'EPSG:4326", globe + "' --crs 'EPSG:3857"}) {
     ASSERT_EQ(run(fmt::format("atlas terrain '{}' '{}' --spacing 20000 --json", atlas_.string(), raster)), 0) << told();
-    const Json made = Json::parse(told());
+    const Json made = Json::parse(printed());
     EXPECT_EQ(made.at("nodes_without_height"), 0);
     for (const std::size_t west_or_south : {0, 1}) {
       EXPECT_LT(made.at("extent_m").at(west_or_south), -300e3);
@@ -122,7 +127,7 @@ TEST_F(AtlasTerrain, IsAsFineAsTheRasterIsInTheAtlas) {
       folder_.write("south.asc", geo::AsciiGrid{-6.0, 15.0, 0.05, 120, 600}.text([](double, double) { return 100.0; }))
           .string();
   ASSERT_EQ(run(fmt::format("atlas terrain '{}' '{}' --crs EPSG:4326 --json", atlas_.string(), south)), 0) << told();
-  const Json made = Json::parse(told());
+  const Json made = Json::parse(printed());
   EXPECT_LT(made.at("extent_m").at(1), -2000e3) << "or there is nothing to tell apart";
   const double latitude_rad = 43.312 * M_PI / 180.0, sine = std::sin(latitude_rad);
   const double expected_m =
@@ -161,6 +166,22 @@ TEST_F(AtlasTerrain, HeightsWithoutAUnitOnAMapInFeetAreMetresWithAWarning) {
   EXPECT_THAT(told(), Not(HasSubstr(warning)));
   EXPECT_FLOAT_EQ(height_m("--unit m"), 100.0F);
   EXPECT_THAT(told(), Not(HasSubstr(warning)));
+}
+
+/// The atlas' own heights are 0. A plane of one height is that much above them everywhere, whatever the spacing.
+TEST_F(AtlasTerrain, WarnsOfHeightsThatAreMoreThanATexelFromThoseOfTheScene) {
+  const auto said_of_height = [&](double height_m) {
+    const geo::AsciiGrid grid{497'000.0, 4'792'000.0, 20.0, 400, 400};
+    const std::string level = folder_.write("level.asc", grid.text([&](double, double) { return height_m; })).string();
+    EXPECT_EQ(add_terrain(level), 0) << told();
+    return told();
+  };
+  EXPECT_THAT(said_of_height(1.5), Not(HasSubstr("warning")));
+  EXPECT_THAT(said_of_height(-7.5),
+              HasSubstr("level.asc: lies up to 7.5 m above or below the heights that the atlas was baked on, 7.5 m in "
+                        "the median"));
+  std::filesystem::remove(atlas_ / atlas::terrain_name);
+  EXPECT_THAT(said_of_height(9.0), Not(HasSubstr("warning"))) << "nobody knows what it was baked on";
 }
 
 TEST_F(AtlasTerrain, RefusesInOneSentence) {
