@@ -28,8 +28,7 @@ simulators as I/Q, LiveTracer those of small areas from the whole scene, LiveFli
 LiveReceiver says in watts what a radar hears of them. The local frame has x east and y north in metres; heights are above
 mean sea level; azimuths count clockwise from the frame's north, which is true at its origin; maps are [row, column] with
 row 0 the northernmost; sigma0 is linear. Names say their unit. Long calls let other Python threads run and end on Ctrl-C.
-What cannot be used raises sigmascape.Error, which says why, and what is of a wrong
-type TypeError.
+What cannot be used raises sigmascape.Error, which says why, and what is of a wrong type TypeError.
 """
 
 from . import _progress
