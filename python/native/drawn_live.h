@@ -81,8 +81,9 @@ inline std::uint64_t next_frame_number() {
   return ++frames;
 }
 
-/// What `draw` makes of the pose with the drawer behind `self`, for which others wait their turn. What `check` or the
-/// pose itself refuses leaves the bins to the last frame.
+/// What `draw` makes of the pose with the drawer behind `self`, for which others wait their turn. What `check`, the
+/// pose itself or the drawer refuses leaves the bins to the last frame; of a call that breaks off otherwise nothing in
+/// them is to be heard.
 template <typename Drawer, typename Check, typename Draw>
 HeldFrame drawn(const pybind11::object& self, const render::Pose& pose, BeamStep step, const Check& check,
                 const Draw& draw) {
@@ -95,16 +96,21 @@ HeldFrame drawn(const pybind11::object& self, const render::Pose& pose, BeamStep
       check(live);
       render::check(with_targets, "live frame");
       const std::uint64_t before = std::exchange(live.newest, next_frame_number());
-      return HeldFrame{.frame = draw(live, with_targets),
-                       .pose = pose,
-                       .renderer = {},
-                       .turns = &held.turns(),
-                       .number = live.newest,
-                       .before = before,
-                       .step = step,
-                       .newest = &live.newest,
-                       .words = live.words,
-                       .frequency_hz = live.frequency_hz};
+      try {
+        return HeldFrame{.frame = draw(live, with_targets),
+                         .pose = pose,
+                         .renderer = {},
+                         .turns = &held.turns(),
+                         .number = live.newest,
+                         .before = before,
+                         .step = step,
+                         .newest = &live.newest,
+                         .words = live.words,
+                         .frequency_hz = live.frequency_hz};
+      } catch (const Error&) {
+        live.newest = before;
+        throw;
+      }
     });
   });
   frame.renderer = self;

@@ -295,21 +295,33 @@ KeptGround ground_from(const sigmascape_ground* ground, const sigmascape_scene* 
       [traced = scene->scene](sigmascape::Vec2d place) { return traced->scene.terrain.height_at(place); });
 }
 
-/// Draws with whichever drawer the renderer has, and remembers what was drawn.
+/// Of all renderers together, from 1 on.
+std::uint64_t next_frame_number() {
+  static std::atomic<std::uint64_t> frames{0};
+  return ++frames;
+}
+
+/// Draws with whichever drawer the renderer has, and remembers what was drawn. What the drawer refuses leaves the bins
+/// to the last frame; of a call that breaks off otherwise nothing in them is to be heard.
 template <typename Draw>
 const sigmascape::render::Frame& drawn(sigmascape_renderer& renderer, const sigmascape::render::Pose& pose,
                                        std::size_t first_beam, std::size_t count, Draw draw) {
-  static std::atomic<std::uint64_t> frames{0};
+  const DrawnFrame before = std::exchange(renderer.last, {});
+  try {
+    renderer.last.frame = renderer.flight   ? draw(*renderer.flight)
+                          : renderer.tracer ? draw(*renderer.tracer)
+                                            : draw(*renderer.renderer);
+  } catch (const sigmascape::Error&) {
+    renderer.last = before;
+    throw;
+  }
   DrawnFrame& last = renderer.last;
-  last.frame = renderer.flight   ? draw(*renderer.flight)
-               : renderer.tracer ? draw(*renderer.tracer)
-                                 : draw(*renderer.renderer);
   last.pose = pose;
   last.pose.targets = {};
   last.first_beam = first_beam;
   last.count = count;
-  last.before = last.number;
-  last.number = ++frames;
+  last.before = before.number;
+  last.number = next_frame_number();
   return last.frame;
 }
 
@@ -538,7 +550,8 @@ int sigmascape_hear(sigmascape_receiver* receiver, const sigmascape_renderer* re
     (void)given(heard, "heard");
     const DrawnFrame& last = given(renderer, "renderer").last;
     if (last.number == 0)
-      throw sigmascape::Error("renderer", "has drawn nothing yet", "call sigmascape_render or sigmascape_scan first");
+      throw sigmascape::Error("renderer", "holds no frame, for it has drawn nothing yet or could not end its last one",
+                              "call sigmascape_render or sigmascape_scan first");
     const bool is_next = receiver->heard != 0 && receiver->heard == last.before;
     receiver->heard = 0;
     copy(is_next ? receiver->receiver.hear(last.frame, last.pose, last.first_beam, last.count)

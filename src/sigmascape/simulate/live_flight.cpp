@@ -60,12 +60,15 @@ LiveFlight::LiveFlight(const scene::Scene& scene, const trace::SceneGeometry& ge
 
 const render::Frame& LiveFlight::render(const render::Pose& pose) {
   choose(pose);
-  if (textured_share_ == 0.0)
+  if (textured_share_ == 0.0) {
     frame_ = tracer_.render(pose);
-  else if (textured_share_ == 1.0)
+  } else if (textured_share_ == 1.0) {
     frame_ = renderer_.render(pose);
-  else
-    blend(tracer_.render(pose), renderer_.render(pose), {0, beams_ * numbers_a_beam_});
+  } else {
+    // What it refuses is refused before anything is traced into the bins that the last frame may lie in.
+    const render::Frame& textured = renderer_.render(pose);
+    blend(tracer_.render(pose), textured, {0, beams_ * numbers_a_beam_});
+  }
   return frame_;
 }
 
@@ -75,12 +78,14 @@ const render::Frame& LiveFlight::scan(const render::Pose& pose, std::size_t firs
   keep();
   count = std::min(count, beams_ - first_beam);
   const Part part{first_beam * numbers_a_beam_, count * numbers_a_beam_};
-  if (textured_share_ == 0.0)
+  if (textured_share_ == 0.0) {
     copy(tracer_.scan(pose, first_beam, count), part);
-  else if (textured_share_ == 1.0)
+  } else if (textured_share_ == 1.0) {
     copy(renderer_.scan(pose, first_beam, count), part);
-  else
-    blend(tracer_.scan(pose, first_beam, count), renderer_.scan(pose, first_beam, count), part);
+  } else {
+    const render::Frame& textured = renderer_.scan(pose, first_beam, count);
+    blend(tracer_.scan(pose, first_beam, count), textured, part);
+  }
   return frame_;
 }
 

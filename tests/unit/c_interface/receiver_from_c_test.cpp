@@ -135,6 +135,50 @@ TEST_F(ReceiverFromC, StepsComeToTheWholeFrame) {
   sigmascape_free_receiver(at_once);
 }
 
+// Whole frames and steps are numbered together: else some step would be taken for the next after the frame that was
+// heard.
+TEST_F(ReceiverFromC, StepsThatWereMissedAfterAWholeFrameAreHeard) {
+  constexpr std::size_t whole_frames = 12, receivers = 24;
+  const sigmascape_pose pose = said_in_c(view_.pose());
+  sigmascape_frame frame;
+  for (std::size_t number = 0; number < whole_frames; ++number)
+    ASSERT_EQ(sigmascape_render(renderer_, &pose, &frame), 0) << sigmascape_last_error();
+  std::vector<sigmascape_receiver*> made;
+  sigmascape_heard heard;
+  for (std::size_t number = 0; number < receivers; ++number) {
+    made.push_back(sigmascape_make_receiver(even_radar_file().c_str(), SIGMASCAPE_VV, nullptr, nullptr, 1));
+    ASSERT_EQ(sigmascape_hear(made.back(), renderer_, &heard), 0) << sigmascape_last_error();
+  }
+  ASSERT_EQ(sigmascape_scan(renderer_, &pose, 0, 8, &frame), 0);
+  for (std::size_t number = 0; number < receivers; ++number) {
+    ASSERT_EQ(sigmascape_scan(renderer_, &pose, 32, 8, &frame), 0);
+    ASSERT_EQ(sigmascape_hear(made[number], renderer_, &heard), 0);
+    EXPECT_EQ(heard.changed, view_.beams) << "missed steps: " << number + 1;
+    sigmascape_free_receiver(made[number]);
+  }
+}
+
+TEST_F(ReceiverFromC, APoseThatIsRefusedLeavesTheLastFrameToBeHeard) {
+  const sigmascape_pose pose = said_in_c(view_.pose());
+  settle(pose);
+  sigmascape_receiver* receiver =
+      sigmascape_make_receiver(even_radar_file().c_str(), SIGMASCAPE_VV, nullptr, nullptr, 1);
+  sigmascape_heard heard;
+  ASSERT_EQ(sigmascape_hear(receiver, renderer_, &heard), 0) << sigmascape_last_error();
+  const std::vector<float> before = numbers(heard);
+  sigmascape_pose below = pose;
+  std::ranges::copy(std::array{view_.target.x, view_.target.y, -500.0}, below.position_m);
+  sigmascape_frame frame;
+  EXPECT_NE(sigmascape_scan(renderer_, &below, 0, 8, &frame), 0);
+  ASSERT_EQ(sigmascape_hear(receiver, renderer_, &heard), 0) << sigmascape_last_error();
+  EXPECT_EQ(numbers(heard), before);
+  ASSERT_EQ(sigmascape_scan(renderer_, &pose, 8, 8, &frame), 0);
+  ASSERT_EQ(sigmascape_hear(receiver, renderer_, &heard), 0);
+  EXPECT_LT(heard.changed, view_.beams);
+  EXPECT_EQ(numbers(heard), before);
+  sigmascape_free_receiver(receiver);
+}
+
 TEST_F(ReceiverFromC, SaysWhyItCannotHear) {
   EXPECT_EQ(sigmascape_make_receiver("nowhere.toml", SIGMASCAPE_VV, ground_, nullptr, 0), nullptr);
   EXPECT_THAT(sigmascape_last_error(), testing::HasSubstr("nowhere.toml"));
