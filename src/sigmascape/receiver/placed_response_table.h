@@ -9,8 +9,8 @@
 namespace sigmascape::receiver {
 
 /// A PlacedResponse at so many places within a bin, for many points in little time: between two of them the weights are
-/// those of both, in proportion to their nearness. They keep to those of the response within 1e-5 of its peak where it
-/// is no narrower than a bin.
+/// those of both, in proportion to their nearness. They keep to those of the response within 1e-5 of its peak where
+/// that is no narrower than a bin at half power, however far its side lobes reach.
 class PlacedResponseTable {
  public:
   explicit PlacedResponseTable(const PlacedResponse& response);

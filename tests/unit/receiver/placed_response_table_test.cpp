@@ -38,6 +38,18 @@ TEST(PlacedResponseTable, KeepsToTheResponseWherePlacesLieBetweenItsOwn) {
   }
 }
 
+// However far its side lobes reach, places within the main lobe are told apart.
+TEST(PlacedResponseTable, KeepsToTheResponseOfANarrowBeamWithFarSideLobes) {
+  radar::Radar radar;
+  radar.beam_width_rad = 0.02;
+  radar.antenna.side_lobe_floor = 1e-3;
+  for (const double bins_a_width : {1.0, 2.0, 4.0}) {
+    const PlacedResponse response = placed_azimuth_response(radar, radar.beam_width_rad / bins_a_width);
+    ASSERT_GT(PlacedResponseTable(response).taps(), 300U);
+    EXPECT_LT(greatest_error(response), 1e-5) << bins_a_width;
+  }
+}
+
 TEST(PlacedResponseTable, AResponseMuchNarrowerThanABinIsInTheNearest) {
   radar::Radar radar;
   const PlacedResponseTable table(placed_azimuth_response(radar, 20.0 * radar.beam_width_rad));
