@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 #include <variant>
+#include <vector>
 
 #include "array_view.h"
 #include "gil.h"
@@ -15,6 +16,7 @@
 #include "long_call.h"
 #include "parts.h"
 #include "polarization.h"
+#include "whole_number.h"
 
 #include "sigmascape/base/error.h"
 #include "sigmascape/radar/radar_file.h"
@@ -40,7 +42,7 @@ render::KeptGround kept_ground(const GroundOrScene& given) {
 }
 
 std::unique_ptr<Held<FrameReceiver>> made_receiver(const radar::RadarFile& radar, const GroundOrScene& ground,
-                                                   const std::string& polarization, unsigned threads) {
+                                                   const std::string& polarization, Threads threads) {
   // Python may change it while others have the GIL.
   const radar::Radar asked = radar.radar;
   const WithoutGil working;
@@ -49,8 +51,14 @@ std::unique_ptr<Held<FrameReceiver>> made_receiver(const radar::RadarFile& radar
   return std::make_unique<Held<FrameReceiver>>("LiveReceiver", std::move(made));
 }
 
+/// What was heard and what holds it, which others that hear with the same receiver meanwhile may replace.
+struct HeldPower {
+  radar::RangeAzimuthGrid grid;
+  std::shared_ptr<const std::vector<float>> signal_w;  ///< [beam][range]
+};
+
 /// The bins are the renderer's: nobody is to draw into them meanwhile.
-const render::HeardPower& heard(FrameReceiver& live, const HeldFrame& held) {
+HeldPower heard(FrameReceiver& live, const HeldFrame& held) {
   const std::scoped_lock turn(*held.turns);
   if (held.number != *held.newest) {
     throw Error("LiveReceiver", "cannot hear a frame whose bins hold a later one of its renderer",
@@ -62,16 +70,19 @@ const render::HeardPower& heard(FrameReceiver& live, const HeldFrame& held) {
                                         ? live.receiver.hear(held.frame, held.pose, held.step.first, held.step.count)
                                         : live.receiver.hear(held.frame, held.pose);
   live.heard = held.number;
-  return power;
+  return {power.grid, live.receiver.signal()};
 }
 
 py::array hear(const py::object& self, const HeldFrame& held) {
   const auto& receiver = self.cast<const Held<FrameReceiver>&>();
-  const render::HeardPower power = long_call(
-      [&] { return receiver.in_turn([&](FrameReceiver& live) { return render::HeardPower(heard(live, held)); }); });
-  return array_view(power.signal_w.data(),
-                    {static_cast<py::ssize_t>(power.grid.azimuths), static_cast<py::ssize_t>(power.grid.ranges)}, self,
-                    Access::ReadOnly);
+  auto power = std::make_unique<HeldPower>(
+      long_call([&] { return receiver.in_turn([&](FrameReceiver& live) { return heard(live, held); }); }));
+  const float* const signal_w = power->signal_w->data();
+  std::vector<py::ssize_t> shape{static_cast<py::ssize_t>(power->grid.azimuths),
+                                 static_cast<py::ssize_t>(power->grid.ranges)};
+  const py::capsule owner(power.get(), [](void* kept) { delete static_cast<HeldPower*>(kept); });
+  (void)power.release();
+  return array_view(signal_w, std::move(shape), owner, Access::ReadOnly);
 }
 
 }  // namespace
@@ -91,15 +102,13 @@ void add_live_receiver(py::module_& module) {
           "how far below the radar they answer; a Scene for frames of a LiveTracer. Only an antenna that is even in\n"
           "elevation does without. polarization: 'vv', 'hh', 'hv' or 'vh'. Raises Error for 'sum', and without ground\n"
           "for an antenna that tells elevations apart.")
-      .def(
-          "hear", &hear, py::arg("frame"),
-          "float32 [beam, range]: mean power of a compressed pulse with the beam's axis in the bin's middle, W; NaN "
-          "in\n"
-          "ranges outside the radar's gate and in azimuths that its scan never comes to. Of a step of a scan only "
-          "what\n"
-          "it changes is heard anew, if the frame before it was heard too. The array shares the receiver's memory and\n"
-          "changes with the next frame that it hears. Raises Error for a frame after which its renderer has drawn\n"
-          "another, and for a radar whose frequency is more than 1 % from the frame's.")
+      .def("hear", &hear, py::arg("frame"),
+           "float32 [beam, range]: mean power of a compressed pulse with the beam's axis in the bin's middle, W;\n"
+           "NaN in ranges outside the radar's gate and in azimuths that its scan never comes to. Of a step of a\n"
+           "scan only what it changes is heard anew, if the frame before it was heard too; else all beams are,\n"
+           "from where the radar is now: hear every step. The array shares the receiver's memory and changes with\n"
+           "the next frame of as many beams and ranges that it hears. Raises Error for a frame after which its\n"
+           "renderer has drawn another, and for a radar whose frequency is more than 1 % from the frame's.")
       .def_property_readonly(
           "noise_w", [](const Held<FrameReceiver>& held) { return held.here()->receiver.noise_w(); },
           "Mean power of the noise beside it, k T0 B F, W, the same in every bin.");

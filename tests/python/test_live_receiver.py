@@ -88,6 +88,27 @@ def test_the_array_outlives_its_receiver(renderer):
         heard[0, 0] = 1.0
 
 
+def test_the_array_outlives_frames_of_more_bins(renderer, ground):
+    receiver = sigmascape.LiveReceiver(radar())
+    heard = receiver.hear(renderer.render(PLACE, **POSE))
+    assert np.shares_memory(heard, receiver.hear(renderer.render(PLACE, **POSE)))
+    kept = heard.copy()
+    larger = sigmascape.LiveRenderer(ground, **(BINS | dict(ranges=400)))
+    others = receiver.hear(larger.render(PLACE, **POSE))
+    assert others.shape == (30, 400) and not np.shares_memory(heard, others)
+    np.testing.assert_array_equal(heard, kept)
+
+
+def test_a_pose_that_is_refused_leaves_the_last_frame_to_be_heard(renderer):
+    receiver = sigmascape.LiveReceiver(radar())
+    frame = renderer.render(PLACE, **POSE)
+    heard = receiver.hear(frame).copy()
+    for place in [(0.0, 0.0, -500.0), (0.0, float("nan"), 800.0)]:
+        with pytest.raises(sigmascape.Error):
+            renderer.scan(place, first_beam=0, count=6, **POSE)
+    np.testing.assert_array_equal(receiver.hear(frame), heard)
+
+
 def test_what_cannot_be_heard_is_refused(renderer, ground):
     with pytest.raises(sigmascape.Error, match="elevations apart"):
         sigmascape.LiveReceiver(radar(**NARROW))

@@ -15,6 +15,8 @@ faulthandler.enable()
 scene = sigmascape.Scene.simple(side_m=96.0)
 bins = dict(content="powers", beams=20, ranges=30, beam_step_rad=2e-3, range_step_m=3.0)
 place, pose = (0.0, -2900.0, 800.0), dict(first_azimuth_rad=-0.02, first_range_m=2960.0)
+def radar():
+    return sigmascape.Radar.from_keys(dict(radar=dict(frequency_ghz=10.0, range_resolution_m=6.0, beam_width_deg=0.2), map=dict(cell_m=3.0)))
 def opened():
     return sigmascape.LiveGround(sys.argv[1], cache_mib=64)
 def made(name, ground):
@@ -51,12 +53,38 @@ np.testing.assert_array_equal(shared.render(place, **pose).powers_m2, alone.rend
 print("alike")
 """
 
+HEARD = """
+ground = opened()
+renderers = [sigmascape.LiveRenderer(ground, **(bins | dict(ranges=ranges))) for ranges in (30, 300)]
+def frames():
+    return [renderer.render(place, **pose) for renderer in renderers]
+frames()
+ground.wait()
+shared, drawn = sigmascape.LiveReceiver(radar()), frames()
+expected = [sigmascape.LiveReceiver(radar()).hear(frame).copy() for frame in drawn]
+told = []
+def hear(number):
+    for _ in range(25):
+        heard = shared.hear(drawn[number])
+        # Others may hear into the array of as many bins, and the same frame alone.
+        told.append(heard.shape == expected[number].shape and np.array_equal(heard, expected[number]))
+team = [threading.Thread(target=hear, args=(number,)) for number in (0, 1)]
+for thread in team:
+    thread.start()
+for thread in team:
+    thread.join()
+assert len(told) == 50 and all(told), told
+print("alike")
+"""
+
 FORK = """
 ground = opened()
 live = {name: made(name, ground) for name in ["LiveRenderer", "LiveTracer", "LiveFlight"]}
 for one in live.values():
     one.render(place, **pose)
 ground.wait()
+receiver, frame = sigmascape.LiveReceiver(radar()), live["LiveRenderer"].render(place, **pose)
+receiver.hear(frame)
 def refusal(action):
     try:
         action()
@@ -67,22 +95,26 @@ if child == 0:
     signal.alarm(60)  # a hang ends here
     told = {name: refusal(lambda: one.render(place, **pose)) for name, one in live.items()}
     told["LiveGround"] = refusal(ground.wait)
+    told["LiveReceiver"] = refusal(lambda: receiver.hear(frame))
     for name, words in told.items():
         assert words == name + ": was made in another process; make it in this one", words
     assert "LiveFlight" in refusal(live["LiveFlight"].explained)
     assert "LiveGround" in refusal(lambda: made("LiveRenderer", ground))
     live.clear()
-    del ground, one
+    del ground, one, receiver, frame
     gc.collect()
     own = opened()
     renderer = made("LiveRenderer", own)
     renderer.render(place, **pose)
     own.wait()
-    assert renderer.render(place, **pose).lit > 0
+    frame = renderer.render(place, **pose)
+    assert frame.lit > 0
+    assert np.isfinite(sigmascape.LiveReceiver(radar()).hear(frame)).all()
     print("its own", flush=True)
     os._exit(0)
 assert os.waitpid(child, 0)[1] == 0
 assert live["LiveRenderer"].render(place, **pose).lit > 0
+assert np.isfinite(receiver.hear(live["LiveRenderer"].render(place, **pose))).all()
 """
 
 DAEMON = """
@@ -112,6 +144,10 @@ def told_by(code, *arguments):
 @pytest.mark.parametrize("name", ["LiveRenderer", "LiveTracer", "LiveFlight"])
 def test_calls_of_several_threads_queue_up(atlas, name):
     assert told_by(THREADS, atlas.folder, name) == "alike\n"
+
+
+def test_frames_are_heard_by_several_threads_in_turn(atlas):
+    assert told_by(HEARD, atlas.folder) == "alike\n"
 
 
 @pytest.mark.skipif("tsan" in os.environ.get("LD_PRELOAD", ""), reason="the thread sanitizer ends processes that fork and make threads")

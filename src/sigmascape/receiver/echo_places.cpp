@@ -46,9 +46,9 @@ EchoPlaces::EchoPlaces(const radar::Radar& radar, const radar::RangeAzimuthGrid&
   move_to(grid);
 }
 
-void EchoPlaces::move_to(const radar::RangeAzimuthGrid& grid) {
+void EchoPlaces::move_to(const radar::RangeAzimuthGrid& grid, double gate_start_m) {
   grid_ = grid;
-  gate_start_m_ = radar_.receiver.first_range_m.value_or(grid.first_range_m);
+  gate_start_m_ = radar_.receiver.first_range_m.value_or(gate_start_m);
 }
 
 std::optional<EchoPlaces::Heard> EchoPlaces::heard(const radar::Echo& echo) const {

@@ -22,7 +22,9 @@ class EchoPlaces {
   /// Nothing of an echo from beyond the gate.
   [[nodiscard]] std::optional<Heard> heard(const radar::Echo& echo) const;
   /// Of other bins from here on. What the antenna's elevation makes of depressions is kept.
-  void move_to(const radar::RangeAzimuthGrid& grid);
+  void move_to(const radar::RangeAzimuthGrid& grid) { move_to(grid, grid.first_range_m); }
+  /// With a gate that opens there where the radar does not say when.
+  void move_to(const radar::RangeAzimuthGrid& grid, double gate_start_m);
   /// Of an azimuth, in units of bins.
   [[nodiscard]] double column_of(double azimuth_rad) const;
   /// Makes bins NaN in azimuths that the beam's axis never comes to and in ranges outside the gate.

@@ -103,15 +103,19 @@ void check_receivable(radar::Polarization polarization) {
 std::vector<double> watts_per_m2(const radar::Radar& radar, const radar::RangeAzimuthGrid& grid) {
   const double bins_of_a_point =
       range_response(radar, grid.range_step_m).peak_bins * azimuth_response(radar, grid.azimuth_step_rad).peak_bins;
-  const double compression_gain = radar::compression_gain(radar);
   std::vector<double> factors(grid.ranges);
+  find_watts_per_m2(radar, grid, radar::compression_gain(radar), bins_of_a_point, factors);
+  return factors;
+}
+
+void find_watts_per_m2(const radar::Radar& radar, const radar::RangeAzimuthGrid& grid, double compression_gain,
+                       double bins_of_a_point, std::span<double> factors) {
   for (std::size_t row = 0; row < grid.ranges; ++row) {
     const double range_m = middle_range_m(grid, row);
     const double heard =
         radar::uneclipsed_part(range_m, radar.waveform.pulse_length_s, radar.waveform.pulse_repetition_hz);
     factors[row] = radar::received_power_w(radar, 1.0, range_m) * compression_gain * bins_of_a_point * heard * heard;
   }
-  return factors;
 }
 
 ReceivedPower received_power(const radar::Radar& radar, const radar::RangeAzimuthImage& image,

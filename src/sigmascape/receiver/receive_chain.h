@@ -27,6 +27,10 @@ void check_receivable(radar::Polarization polarization);
 /// Power in a bin over the cross-section in it once the responses of pulse and beam are laid over the bins, for each
 /// range, W/m². docs/physics/receiver.md, Eq. (3).
 [[nodiscard]] std::vector<double> watts_per_m2(const radar::Radar& radar, const radar::RangeAzimuthGrid& grid);
+/// The same into memory that is there, of a radar of which is known what it takes some time to find: its
+/// radar::compression_gain, and the product of the `peak_bins` of its two responses.
+void find_watts_per_m2(const radar::Radar& radar, const radar::RangeAzimuthGrid& grid, double compression_gain,
+                       double bins_of_a_point, std::span<double> factors);
 
 /// The radar equation, laid over bins of cross-section. docs/physics/receiver.md, Eq. (3).
 ///

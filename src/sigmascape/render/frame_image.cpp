@@ -112,18 +112,18 @@ radar::RangeAzimuthImage image_of(const Frame& frame, const Pose& pose, const ra
   if (radar::antenna_pattern(radar).elevation().even()) return image_of_even_antenna(frame, pose, radar);
   return heard_image(frame, pose, radar,
                      [&](const GroundHearing& hearing, double azimuth_rad, std::span<float> weights) {
-                       GroundAlong along(pose.position, azimuth_rad, ground, frame.earth);
+                       GroundAlong along(pose.position, azimuth_rad, last_range_m(frame.grid), ground, frame.earth);
                        hearing.weigh([&](double range_m) { return along.sin_depression(range_m); }, weights);
                      });
 }
 
 GroundHeight ground_below(const Frame& frame, const Pose& pose, const LiveGround& ground) {
   const radar::RangeAzimuthGrid& grid = frame.grid;
-  const double far_m = grid.first_range_m + static_cast<double>(grid.ranges) * grid.range_step_m;
   const double width_rad = static_cast<double>(grid.azimuths) * grid.azimuth_step_rad;
   const Vec2d foot{pose.position.x, pose.position.y};
-  const auto window = std::make_shared<const terrain::TerrainWindow>(ground.terrain().window_over(
-      ground_under(foot, grid.first_azimuth_rad, width_rad, {0.0, far_m}), grid.range_step_m, most_nodes_a_side));
+  const radar::Rectangle seen = ground_under(foot, grid.first_azimuth_rad, width_rad, {0.0, last_range_m(grid)});
+  const auto window = std::make_shared<const terrain::TerrainWindow>(
+      ground.terrain().window_over(seen, grid.range_step_m, most_nodes_a_side).nodes);
   return [window, view = window->view()](Vec2d place) { return terrain::height_at(view, place); };
 }
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
+#include <utility>
 
 #include "sigmascape/base/vec.h"
 #include "sigmascape/radar/curved_earth.h"
@@ -10,18 +12,20 @@
 
 namespace sigmascape::render {
 
-/// How far below a radar the ground lies along one azimuth, at growing slant ranges.
+/// How far below a radar the ground lies along one azimuth, at growing slant ranges up to a last one. Heights are asked
+/// for at distances that ground of that range may have, and at none beyond (`reach_m`).
 /// `Height`: of the ground above mean sea level, of a place of the local frame.
 template <typename Height>
 class GroundAlong {
  public:
-  GroundAlong(Vec3d radar, double azimuth_rad, const Height& height_m, const radar::CurvedEarth& earth)
+  GroundAlong(Vec3d radar, double azimuth_rad, double last_range_m, const Height& height_m,
+              const radar::CurvedEarth& earth)
       : radar_(radar),
         foot_{radar.x, radar.y},
         outwards_(radar::horizontal_direction(azimuth_rad)),
         height_m_(height_m),
         earth_(earth),
-        here_(nearest()) {}
+        here_(nearest(last_range_m)) {}
 
   /// As of radar::Echo. Where ground lies over other ground any of its places will do: they differ by no more than
   /// their heights over the range.
@@ -49,13 +53,20 @@ class GroundAlong {
     return {distance_m, height_m, earth_.slant_range_m(radar_.z, height_m, distance_m)};
   }
 
+  /// No ground that is farther away along the sea is of that range, for none lies lower than the bottom of the sea.
+  [[nodiscard]] double reach_m(double range_m) const {
+    constexpr double for_depths = 1.02;
+    return for_depths * radar::distance_of_range_m(earth_, 0.0, 0.0, range_m);
+  }
+
   /// Where the ground is nearest: straight below, unless it rises ahead by more than it recedes.
-  [[nodiscard]] Place nearest() const {
+  [[nodiscard]] Place nearest(double last_range_m) const {
     constexpr int places = 64;
     const Place below = at(0.0);
     Place nearest = below;
+    const double farthest_m = std::min(below.range_m, reach_m(last_range_m));
     for (int number = 1; number < places; ++number) {
-      const Place there = at(below.range_m * number / places);
+      const Place there = at(farthest_m * number / places);
       if (there.range_m < nearest.range_m) nearest = there;
     }
     return nearest;
@@ -68,15 +79,21 @@ class GroundAlong {
     const double near_enough_m = near_enough_rad * wanted_m;
     Place far = at(std::max(radar::distance_of_range_m(earth_, radar_.z, near.height_m, wanted_m),
                             near.distance_m + near_enough_m));
-    // Twice as far beyond as an even slope would have it, and farther from there. Along the sea half a circle is the
-    // longest way between two points, and less than twice their range.
+    if (far.range_m < wanted_m - near_enough_m) std::tie(near, far) = about(near, far, wanted_m, near_enough_m);
+    return between(near, far, wanted_m, near_enough_m);
+  }
+
+  /// The last two of steps from one place over another until there is ground of that range: twice as far beyond as an
+  /// even slope would have it, and farther from there.
+  [[nodiscard]] std::pair<Place, Place> about(Place near, Place far, double wanted_m, double near_enough_m) const {
+    const double reach = reach_m(wanted_m);
     const double farther_m = far.range_m - near.range_m, way_m = far.distance_m - near.distance_m;
     double step_m = farther_m > 0.0 ? 2.0 * (wanted_m - far.range_m) / farther_m * way_m : 2.0 * way_m;
-    for (; far.range_m < wanted_m - near_enough_m && far.distance_m < 2.0 * wanted_m; step_m *= 2.0) {
+    for (; far.range_m < wanted_m - near_enough_m && far.distance_m < reach; step_m *= 2.0) {
       near = far;
-      far = at(far.distance_m + step_m);
+      far = at(std::min(far.distance_m + step_m, reach));
     }
-    return between(near, far, wanted_m, near_enough_m);
+    return {near, far};
   }
 
   /// Regula falsi in its Illinois form.

@@ -79,9 +79,12 @@ void check_frequency(const Frame& frame, const radar::Radar& radar) {
               "open the ground at the radar's frequency, or give a radar of the ground's");
 }
 
+double targets_heard_from_m(const radar::RangeAzimuthGrid& grid) {
+  return std::max(grid.first_range_m - 0.5 * grid.range_step_m, 0.0);
+}
+
 radar::Radar hearing_first_bins(radar::Radar radar, const radar::RangeAzimuthGrid& grid) {
-  if (!radar.receiver.first_range_m)
-    radar.receiver.first_range_m = std::max(grid.first_range_m - 0.5 * grid.range_step_m, 0.0);
+  if (!radar.receiver.first_range_m) radar.receiver.first_range_m = targets_heard_from_m(grid);
   return radar;
 }
 

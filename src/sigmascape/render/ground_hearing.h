@@ -79,12 +79,19 @@ class GroundHearing {
   return grid.first_azimuth_rad + (static_cast<double>(beam) + 0.5) * grid.azimuth_step_rad;
 }
 
+/// Where the last range of a grid ends.
+[[nodiscard]] inline double last_range_m(const radar::RangeAzimuthGrid& grid) {
+  return grid.first_range_m + static_cast<double>(grid.ranges) * grid.range_step_m;
+}
+
 /// Throws Error for a radar whose frequency is more than a hundredth from the frame's: neither the ground's
 /// cross-sections nor the targets' are those of another.
 void check_frequency(const Frame& frame, const radar::Radar& radar);
 
-/// That hears targets half a bin before the frame's first range too, as far as the first bins hold them, unless the
-/// radar says from where on it hears.
+/// From where on targets are heard unless the radar says so: half a bin before the first range, as far as the first
+/// bins hold them.
+[[nodiscard]] double targets_heard_from_m(const radar::RangeAzimuthGrid& grid);
+/// A radar that hears them from there on.
 [[nodiscard]] radar::Radar hearing_first_bins(radar::Radar radar, const radar::RangeAzimuthGrid& grid);
 
 /// What a beam of a frame holds besides targets, [range]: `number_of(channels)` of each bin. Where a bin is told

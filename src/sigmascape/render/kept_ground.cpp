@@ -1,8 +1,10 @@
 #include "sigmascape/render/kept_ground.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "sigmascape/render/frame_reach.h"
+#include "sigmascape/render/ground_hearing.h"
 
 namespace sigmascape::render {
 namespace {
@@ -20,22 +22,31 @@ bool contains(const radar::Rectangle& outer, const radar::Rectangle& inner) {
 
 void KeptGround::cover(const radar::RangeAzimuthGrid& grid, Vec2d radar) {
   if (ground_ == nullptr) return;
-  const double far_m = grid.first_range_m + static_cast<double>(grid.ranges) * grid.range_step_m;
+  const double far_m = last_range_m(grid);
   const double width_rad = static_cast<double>(grid.azimuths) * grid.azimuth_step_rad;
   const double margin_m = margin_part * far_m;
   // As of a whole turn, so that a sector that turns keeps its level; a few nodes more lie at the edges.
   const double node_m =
       std::max(grid.range_step_m, 2.0 * (far_m + margin_m) / static_cast<double>(most_nodes_a_side - 4));
   const radar::Rectangle seen = ground_under(radar, grid.first_azimuth_rad, width_rad, {0.0, far_m});
-  if (window_ != nullptr && node_m == node_m_ && contains(covered_, seen)) return;
+  if (window_ != nullptr && node_m == node_m_ && contains(covered_, seen) && !is_out_of_date()) return;
   const radar::Rectangle wanted{seen.west_m - margin_m, seen.south_m - margin_m, seen.east_m + margin_m,
                                 seen.north_m + margin_m};
-  window_ =
-      std::make_shared<const terrain::TerrainWindow>(ground_->terrain().window_over(wanted, node_m, most_nodes_a_side));
-  view_ = window_->view();
+  const LiveTerrain& terrain = std::as_const(*ground_).terrain();
+  window_ = std::make_shared<const LiveTerrain::Window>(terrain.window_over(wanted, node_m, most_nodes_a_side));
+  view_ = window_->nodes.view();
+  try_again_at_ = std::chrono::steady_clock::now() + terrain.pyramid().patience();
   covered_ = wanted;
   node_m_ = node_m;
   ++windows_;
+}
+
+bool KeptGround::is_out_of_date() {
+  const auto now = std::chrono::steady_clock::now();
+  if (!window_->shortage || now < try_again_at_) return false;
+  if (window_->shortage()) return true;
+  try_again_at_ = std::chrono::steady_clock::now() + ground_->terrain().pyramid().patience();
+  return false;
 }
 
 }  // namespace sigmascape::render

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <memory>
 #include <utility>
@@ -9,8 +10,8 @@
 #include "sigmascape/radar/range_azimuth_image.h"
 #include "sigmascape/render/ground_height.h"
 #include "sigmascape/render/live_ground.h"
+#include "sigmascape/render/live_terrain.h"
 #include "sigmascape/terrain/terrain_view.h"
-#include "sigmascape/terrain/terrain_window.h"
 
 namespace sigmascape::render {
 
@@ -20,7 +21,8 @@ namespace sigmascape::render {
 /// farthest range on every side, so that a flight needs another only after that. Its nodes are those of one level of
 /// the terrain, which follows from the bins alone: the coarsest whose nodes stand at most two range bins apart, or at
 /// most two 2044ths of the square about a turn of such a window. A place has the same height in every window, whatever
-/// has been kept: nothing is wrong by being kept.
+/// has been kept: nothing is wrong by being kept. Where tiles cannot be had coarser ones stand in, and the window is
+/// taken anew as soon as some can be, for which the pyramid is asked once in its patience.
 class KeptGround {
  public:
   /// None: for antennas that do not ask.
@@ -30,9 +32,9 @@ class KeptGround {
 
   [[nodiscard]] bool is_known() const { return ground_ != nullptr || height_m_; }
   /// Makes sure of the ground below all bins of a grid seen from a place. Reads tiles where it has to take another
-  /// window.
+  /// window, and where it looks after those that it lacks.
   void cover(const radar::RangeAzimuthGrid& grid, Vec2d radar);
-  /// Windows that have been taken.
+  /// Windows that have been taken: heights that were asked for with as many before are those of now.
   [[nodiscard]] std::uint64_t windows() const { return windows_; }
 
   /// Calls `use` with a function of a place that gives the height of the ground there.
@@ -46,9 +48,13 @@ class KeptGround {
   }
 
  private:
+  /// Whether some of what the window lacks can be had by now, as far as it is time to ask.
+  [[nodiscard]] bool is_out_of_date();
+
   std::shared_ptr<LiveGround> ground_;
   GroundHeight height_m_;
-  std::shared_ptr<const terrain::TerrainWindow> window_;
+  std::shared_ptr<const LiveTerrain::Window> window_;
+  std::chrono::steady_clock::time_point try_again_at_;  // where it lacks tiles
   terrain::TerrainView view_;
   radar::Rectangle covered_{};
   double node_m_ = 0.0;  // that was asked for

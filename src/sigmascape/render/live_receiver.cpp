@@ -7,11 +7,18 @@
 
 #include "sigmascape/base/error.h"
 #include "sigmascape/radar/noise.h"
+#include "sigmascape/radar/radar_equation.h"
 #include "sigmascape/radar/radar_title.h"
 #include "sigmascape/render/ground_along.h"
 #include "sigmascape/render/line_sums.h"
 
 namespace sigmascape::render {
+namespace {
+
+/// A gain in elevation takes as long as so many products in a response.
+constexpr std::size_t operations_to_weigh = 500;
+
+}  // namespace
 
 receiver::ReceivedPower received_power(const HeardPower& heard) {
   const radar::RangeAzimuthGrid& grid = heard.grid;
@@ -26,12 +33,20 @@ receiver::ReceivedPower received_power(const HeardPower& heard) {
 LiveReceiver::Responses::Responses(const radar::Radar& radar, const radar::RangeAzimuthGrid& grid)
     : range_step_m(grid.range_step_m),
       azimuth_step_rad(grid.azimuth_step_rad),
+      compression_gain(radar::compression_gain(radar)),
       along(receiver::range_response(radar, grid.range_step_m)),
       across(receiver::azimuth_response(radar, grid.azimuth_step_rad)),
       point_along(receiver::placed_range_response(radar, grid.range_step_m)),
       point_across(receiver::placed_azimuth_response(radar, grid.azimuth_step_rad)),
       ground(radar, grid),
-      targets(hearing_first_bins(radar, grid), grid) {}
+      targets(ground.places()) {
+  targets.move_to(grid, targets_heard_from_m(grid));
+}
+
+void LiveReceiver::Responses::move_to(const radar::RangeAzimuthGrid& grid) {
+  ground.move_to(grid);
+  targets.move_to(grid, targets_heard_from_m(grid));
+}
 
 LiveReceiver::LiveReceiver(radar::Radar radar, radar::Polarization polarization, KeptGround ground, unsigned threads)
     : radar_(std::move(radar)), polarization_(polarization), ground_(std::move(ground)), team_(threads) {
@@ -63,17 +78,21 @@ const HeardPower& LiveReceiver::hear(const Frame& frame, const Pose& pose, std::
   has_bins_ = false;  // until all beams of the step are as they should be
 
   const std::size_t taps_along = responses_->along.weights.size(), taps_across = responses_->across.weights.size();
-  run(step.count, grid_.ranges * taps_along, [&](std::size_t index, Scratch& scratch) {
-    const std::size_t beam = step.first + index;
-    if (elevations) weigh(frame, pose.position, beam);
-    hear_ground(frame, beam, scratch);
-  });
+  const WeighedFrom from = here(frame, pose);
+  const bool weighs = elevations && std::ranges::any_of(std::span(weighed_from_).subspan(step.first, step.count),
+                                                        [&](const auto& before) { return before != from; });
+  run(step.count, grid_.ranges * (taps_along + (weighs ? operations_to_weigh : 0)),
+      [&](std::size_t index, Scratch& scratch) {
+        const std::size_t beam = step.first + index;
+        if (weighs) weigh(frame, from, beam);
+        hear_ground(frame, beam, scratch);
+      });
   const Beams changed = with_beside(step, std::max(responses_->ground_reach(), responses_->target_reach()));
   place_targets(frame, with_beside(changed, responses_->target_reach()));
   run(changed.count, grid_.ranges * taps_across,
       [&](std::size_t index, Scratch& scratch) { lay_over(frame, (changed.first + index) % grid_.azimuths, scratch); });
   heard_.grid = grid_;
-  heard_.signal_w = signal_w_;
+  heard_.signal_w = *signal_w_;
   heard_.first_changed = changed.first;
   heard_.changed = changed.count;
   has_bins_ = true;
@@ -86,25 +105,24 @@ void LiveReceiver::take_bins(const radar::RangeAzimuthGrid& grid) {
       responses_->azimuth_step_rad != grid.azimuth_step_rad) {
     responses_.emplace(radar_, grid);
   } else {
-    responses_->ground.move_to(grid);
-    // From where on targets are heard goes by the first range.
-    if (grid.first_range_m != grid_.first_range_m)
-      responses_->targets = receiver::EchoPlaces(hearing_first_bins(radar_, grid), grid);
-    responses_->targets.move_to(grid);
+    responses_->move_to(grid);
   }
   const receiver::EchoPlaces& places = responses_->ground.places();
   grid_ = grid;
-  const std::vector<double> watts = receiver::watts_per_m2(radar_, grid);
+  factors_.resize(grid.ranges);
+  const double bins_of_a_point = responses_->along.peak_bins * responses_->across.peak_bins;
+  receiver::find_watts_per_m2(radar_, grid, responses_->compression_gain, bins_of_a_point, factors_);
   watts_per_m2_.resize(grid.ranges);
   for (std::size_t range = 0; range < grid.ranges; ++range)
-    watts_per_m2_[range] = places.is_within_gate(range) ? static_cast<float>(watts[range]) : nan;
+    watts_per_m2_[range] = places.is_within_gate(range) ? static_cast<float>(factors_[range]) : nan;
   looked_at_.resize(grid.azimuths);
   for (std::size_t beam = 0; beam < grid.azimuths; ++beam)
     looked_at_[beam] = receiver::looked_at(radar_, grid, beam) ? 1 : 0;
 
   const std::size_t bins = grid.azimuths * grid.ranges;
   lines_.resize(bins);
-  signal_w_.resize(bins);
+  // Others may look at it still.
+  if (signal_w_ == nullptr || signal_w_->size() != bins) signal_w_ = std::make_shared<std::vector<float>>(bins);
   dark_.resize(grid.azimuths);
   if (places.tell_elevations_apart()) {
     weights_.resize(bins);
@@ -140,12 +158,11 @@ std::span<const float> LiveReceiver::weights_of(std::size_t beam) const {
   return std::span(weights_).subspan(beam * grid_.ranges, grid_.ranges);
 }
 
-void LiveReceiver::weigh(const Frame& frame, Vec3d radar, std::size_t beam) {
-  const WeighedFrom from{radar, frame.earth.curvature_per_m()};
+void LiveReceiver::weigh(const Frame& frame, const WeighedFrom& from, std::size_t beam) {
   if (weighed_from_[beam] == from) return;
   const auto weights = std::span(weights_).subspan(beam * grid_.ranges, grid_.ranges);
   ground_.with_height([&](const auto& height_m) {
-    GroundAlong along(radar, middle_rad(grid_, beam), height_m, frame.earth);
+    GroundAlong along(from.position, middle_rad(grid_, beam), last_range_m(grid_), height_m, frame.earth);
     responses_->ground.weigh([&](double range_m) { return along.sin_depression(range_m); }, weights);
   });
   weighed_from_[beam] = from;
@@ -183,7 +200,7 @@ void LiveReceiver::place(const receiver::EchoInBeam& echo, PlacedEcho& placed) c
 }
 
 void LiveReceiver::lay_over(const Frame& frame, std::size_t beam, Scratch& scratch) {
-  const auto signal_w = std::span(signal_w_).subspan(beam * grid_.ranges, grid_.ranges);
+  const auto signal_w = std::span(*signal_w_).subspan(beam * grid_.ranges, grid_.ranges);
   if (looked_at_[beam] == 0) {
     std::ranges::fill(signal_w, std::numeric_limits<float>::quiet_NaN());
     return;

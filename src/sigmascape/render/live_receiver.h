@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -44,8 +45,12 @@ struct HeardPower {
 ///
 /// Watts are those of receiver::received_power of render::image_of with that radar, which says what they mean
 /// (frame_image.h; docs/physics/receiver.md, Eqs. (1), (3)). A step is heard in all beams that its own reach through
-/// the response of the antenna, some at either side, and steps of a turn come to the bytes of the frame as a whole. As
-/// in frames of a scan, each beam's ground is weighed from where the radar was when the beam was last heard.
+/// the response of the antenna, some at either side, and steps of a turn come to the bytes of the frame as a whole.
+///
+/// Each beam's ground is weighed from where the radar was when the beam was last heard. Hear every step of a scan,
+/// then, as it is drawn: who hears all beams at once after steps that were not heard has them weighed from the last
+/// pose, although they were drawn from earlier ones, and of a radar that moves what is lit and what is heard no longer
+/// lie in one place. While a scan goes on first azimuth and first range of its poses stay, as for LiveRenderer::scan.
 ///
 /// Responses and memory are kept while bins stay as wide and as many as they are, gains in elevation while the radar
 /// stands still, and heights of the ground within some kilometres (KeptGround). The result does not depend on the
@@ -68,6 +73,9 @@ class LiveReceiver {
 
   [[nodiscard]] const radar::Radar& radar() const { return radar_; }
   [[nodiscard]] double noise_w() const { return heard_.noise_w; }
+  /// What holds HeardPower::signal_w, for whoever looks at it for longer than the receiver lives or hears frames of as
+  /// many bins: those of another number are heard into other memory. Empty before the first frame.
+  [[nodiscard]] std::shared_ptr<const std::vector<float>> signal() const { return signal_w_; }
 
  private:
   struct Beams {
@@ -77,7 +85,7 @@ class LiveReceiver {
   struct Responses {
     Responses(const radar::Radar& radar, const radar::RangeAzimuthGrid& grid);
 
-    double range_step_m, azimuth_step_rad;
+    double range_step_m, azimuth_step_rad, compression_gain;
     receiver::BinResponse along, across;
     receiver::PlacedResponseTable point_along, point_across;
     GroundHearing ground;
@@ -87,11 +95,13 @@ class LiveReceiver {
     [[nodiscard]] std::size_t ground_reach() const { return across.weights.size() / 2; }
     /// And its targets, which stand up to two beams beside those that hold them.
     [[nodiscard]] std::size_t target_reach() const { return point_across.taps() / 2 + 2; }
+    void move_to(const radar::RangeAzimuthGrid& grid);
   };
-  /// From where the gains in elevation of a beam were found.
+  /// From where the gains in elevation of a beam were found, and over which heights.
   struct WeighedFrom {
     Vec3d position;
     double curvature_per_m = 0.0;
+    std::uint64_t window = 0;  // KeptGround::windows
 
     friend bool operator==(const WeighedFrom&, const WeighedFrom&) = default;
   };
@@ -113,7 +123,10 @@ class LiveReceiver {
   template <typename Body>
   void for_each(Beams beams, Body&& body) const;
   [[nodiscard]] std::span<const float> weights_of(std::size_t beam) const;
-  void weigh(const Frame& frame, Vec3d radar, std::size_t beam);
+  [[nodiscard]] WeighedFrom here(const Frame& frame, const Pose& pose) const {
+    return {pose.position, frame.earth.curvature_per_m(), ground_.windows()};
+  }
+  void weigh(const Frame& frame, const WeighedFrom& from, std::size_t beam);
   /// The ground of a beam with the response of the pulse.
   void hear_ground(const Frame& frame, std::size_t beam, Scratch& scratch);
   /// The echoes that beams hold.
@@ -140,6 +153,7 @@ class LiveReceiver {
   radar::RangeAzimuthGrid grid_;
   bool has_bins_ = false;
   std::optional<Responses> responses_;
+  std::vector<double> factors_;                           // [range], W/m²
   std::vector<float> watts_per_m2_;                       // [range]; NaN where nothing is heard
   std::vector<std::uint8_t> looked_at_;                   // [beam]
   std::vector<float> weights_;                            // [beam][range], of an even antenna [range]
@@ -148,7 +162,7 @@ class LiveReceiver {
   std::vector<std::uint8_t> dark_;                        // [beam]: a line of nothing
   std::vector<PlacedEcho> echoes_;                        // as the frame has them
   std::vector<Scratch> scratch_;                          // one a worker
-  std::vector<float> signal_w_;                           // [beam][range]
+  std::shared_ptr<std::vector<float>> signal_w_;          // [beam][range]
   HeardPower heard_;
 };
 

@@ -28,14 +28,14 @@ int LiveTerrain::level_for(double texel_m) const {
   return terrain_level_for(texel_m, pyramid_->layout().spacing_m, pyramid_->levels());
 }
 
-terrain::TerrainWindow LiveTerrain::window_over(const radar::Rectangle& area, double texel_m,
-                                                std::size_t most_nodes_a_side) const {
-  terrain::TerrainWindow window(most_nodes_a_side, terrain::WindowSlopes::None);
-  (void)window.fill(*pyramid_, area, level_for(texel_m), terrain::TileWait::Load);
-  return window;
+LiveTerrain::Window LiveTerrain::window_over(const radar::Rectangle& area, double texel_m,
+                                             std::size_t most_nodes_a_side) const {
+  terrain::TerrainWindow nodes(most_nodes_a_side, terrain::WindowSlopes::None);
+  const terrain::WindowReport report = nodes.fill(*pyramid_, area, level_for(texel_m), terrain::TileWait::Load);
+  return {std::move(nodes), shortage_of(report)};
 }
 
-LiveTerrain::GroundUnderCells LiveTerrain::ground_under(const radar::GroundGrid& cells) const {
+LiveTerrain::Window LiveTerrain::ground_under(const radar::GroundGrid& cells) const {
   const int level = level_for(cells.cell_m);
   // Between nodes that stand wide apart the ground is rounder than the facets that they span.
   terrain::TerrainWindow window(most_nodes_under_page,

@@ -29,10 +29,14 @@ class LiveTerrain {
   }
   /// Level 0; reads a tile if need be.
   [[nodiscard]] double height_at(Vec2d point) const;
-  /// Heights over an area, of the level that belongs to texels of a size or of the finest whose nodes are no more than
-  /// the square of so many. Reads tiles.
-  [[nodiscard]] terrain::TerrainWindow window_over(const radar::Rectangle& area, double texel_m,
-                                                   std::size_t most_nodes_a_side) const;
+  /// Heights over an area, and what of them cannot be had, so that coarser ones stand in.
+  struct Window {
+    terrain::TerrainWindow nodes;
+    Shortage shortage;
+  };
+  /// Of the level that belongs to texels of a size or of the finest whose nodes are no more than the square of so many.
+  /// Reads tiles.
+  [[nodiscard]] Window window_over(const radar::Rectangle& area, double texel_m, std::size_t most_nodes_a_side) const;
 
   /// Heights at the centres of cells, [row][column], north up, of the level that belongs to their size. Reads tiles;
   /// gives back what of them cannot be had, so that coarser ones stand in.
@@ -60,11 +64,7 @@ class LiveTerrain {
   [[nodiscard]] const terrain::TerrainPyramid& pyramid() const { return *pyramid_; }
 
  private:
-  struct GroundUnderCells {
-    terrain::TerrainWindow window;
-    Shortage shortage;
-  };
-  [[nodiscard]] GroundUnderCells ground_under(const radar::GroundGrid& cells) const;
+  [[nodiscard]] Window ground_under(const radar::GroundGrid& cells) const;
   [[nodiscard]] Shortage shortage_of(const terrain::WindowReport& report) const;
 
   std::shared_ptr<terrain::TerrainPyramid> pyramid_;

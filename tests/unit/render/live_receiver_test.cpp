@@ -1,16 +1,24 @@
 #include "sigmascape/render/live_receiver.h"
 
 #include <algorithm>
+#include <atomic>
+#include <chrono>
 #include <cmath>
+#include <condition_variable>
 #include <functional>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <mutex>
 #include <numbers>
+#include <optional>
+#include <set>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "counted_allocations.h"
 #include "live_ground_example.h"
+#include "terrain_short_of_tiles.h"
 
 #include "sigmascape/base/error.h"
 #include "sigmascape/base/hash.h"
@@ -193,7 +201,8 @@ class LiveReceiverOverGround : public testing::Test {
     example.elevations_deg = {2.0, 37.0};
     example.sigma0 = [](const radar::Look& look) { return constant_gamma(0.1, look); };
     example.height_m = [](Vec2d way) { return 20.0 * std::sin(way.x / 150.0); };
-    ground_ = example.over(example.store(folder_.path("atlas")));
+    store_.emplace(example.store(folder_.path("atlas")));
+    ground_ = example.over(*store_);
     view_.target = example.middle();
     view_.beams = 49;
     view_.ranges = 65;
@@ -227,6 +236,7 @@ class LiveReceiverOverGround : public testing::Test {
   }
 
   ScratchFolder folder_;
+  std::optional<atlas::Store> store_;
   std::shared_ptr<LiveGround> ground_;
   ExampleView view_;
   std::vector<radar::Target> targets_;
@@ -301,6 +311,68 @@ TEST_F(LiveReceiverOverGround, NothingIsWrongByBeingKept) {
   EXPECT_THAT(signal_w, testing::ElementsAreArray(heard_at_once(pose)));
 }
 
+/// A turn of beams seen from near the middle of the example.
+constexpr radar::RangeAzimuthGrid close_turn{150.0, 1.5, 200, 0.0, 2.0 * pi / 64.0, 64};
+
+// Over several metres of rise a metre of way, steps from one place of the ground to the next know little of where they
+// end.
+TEST_F(LiveReceiverOverGround, HeightsOfSteepGroundDoNotDependOnWhatWasKept) {
+  ExampleGround example;
+  example.height_m = [](Vec2d p) {
+    return 60.0 * std::sin(p.x / 24.0) * std::cos(p.y / 31.0) + 40.0 * std::sin(p.x / 7.0) * std::sin(p.y / 9.0);
+  };
+  example.terrain_spacing_m = 2.0;
+  const auto steep = example.over(*store_);
+  const MadeFrame made(close_turn, 5, 0);
+  const radar::Radar radar = with_beam_in_elevation(radar_of(close_turn));
+  for (int number = 0; number < 6; ++number) {
+    Pose here = from_height(example.middle() + Vec2d{37.3, 11.1} * static_cast<double>(number));
+    here.position.z = 220.0 + 10.0 * number;
+    Pose there = here;
+    there.position.x += number % 2 == 0 ? 60.0 : -60.0;
+    LiveReceiver fresh(radar, Polarization::VV, steep, 1), receiver(radar, Polarization::VV, steep, 1);
+    receiver.hear(made.frame(), there);
+    EXPECT_THAT(receiver.hear(made.frame(), here).signal_w,
+                testing::ElementsAreArray(fresh.hear(made.frame(), here).signal_w));
+  }
+}
+
+TEST_F(LiveReceiverOverGround, TilesThatCouldNotBeHadAreHeardOverAsSoonAsTheyCan) {
+  ExampleGround example;
+  example.height_m = hills_m;
+  std::atomic<bool> is_short = true;
+  const auto short_ground = std::make_shared<LiveGround>(*store_, short_of(example.terrain(), is_short), 10e9);
+  const MadeFrame made(close_turn, 5, 0);
+  const radar::Radar radar = with_beam_in_elevation(radar_of(close_turn));
+  Pose pose = from_height(example.middle());
+  pose.position.z = 300.0;
+  LiveReceiver expected(radar, Polarization::VV, example.over(*store_), 1),
+      receiver(radar, Polarization::VV, short_ground, 1);
+  const auto whole = expected.hear(made.frame(), pose).signal_w;
+  const HeardPower& heard = receiver.hear(made.frame(), pose);
+  EXPECT_THAT(heard.signal_w, testing::Not(testing::ElementsAreArray(whole)));
+  is_short = false;
+  std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  receiver.hear(made.frame(), pose);
+  EXPECT_THAT(heard.signal_w, testing::ElementsAreArray(whole));
+}
+
+TEST_F(LiveReceiverOverGround, AWindowThatLacksTilesIsTakenAnewWhenThereIsSomethingBetter) {
+  ExampleGround example;
+  std::atomic<bool> is_short = true;
+  KeptGround kept(std::make_shared<LiveGround>(*store_, short_of(example.terrain(), is_short), 10e9));
+  const auto cover = [&] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    kept.cover(close_turn, example.middle());
+    return kept.windows();
+  };
+  EXPECT_EQ(cover(), 1U);
+  EXPECT_EQ(cover(), 1U) << "there is nothing better";
+  is_short = false;
+  EXPECT_EQ(cover(), 2U);
+  EXPECT_EQ(cover(), 2U) << "nothing is lacking";
+}
+
 TEST_F(LiveReceiverOverGround, OneWindowOfTheGroundServesAFlight) {
   KeptGround kept(ground_);
   LiveRenderer renderer(ground_, view_.settings(FrameContent::Powers));
@@ -324,6 +396,12 @@ TEST_F(LiveReceiverOverGround, NothingIsAllocatedOnceItHasHeardAll) {
     pose.position.x += 1.0;
     receiver.hear(frame, pose, 8, 8);
     receiver.hear(frame, pose);
+  }
+  Frame elsewhere = frame;
+  for (int step = 0; step < 3; ++step) {
+    elsewhere.grid.first_range_m += 1.0;
+    elsewhere.grid.first_azimuth_rad += 1e-4;
+    receiver.hear(elsewhere, pose);
   }
   EXPECT_EQ(allocations(), before);
 }
@@ -445,6 +523,61 @@ TEST(LiveReceiver, BeamsAreWeighedFromWhereTheRadarIsInTheirStep) {
         << beam;
   }
   EXPECT_NE(from_here, from_there);
+}
+
+// A window of the ground is larger than what the bins look at by a quarter of their farthest range.
+TEST(LiveReceiver, HeightsAreAskedForNoFartherThanAKeptWindowReaches) {
+  const MadeFrame made(close_turn, 3, 0);
+  const double last_m = close_turn.first_range_m + static_cast<double>(close_turn.ranges) * close_turn.range_step_m;
+  for (const double up_m : {120.0, 250.0, 1000.0}) {
+    Pose pose = from_height();
+    pose.position.z = up_m;
+    double farthest_m = 0.0;
+    const GroundHeight steep = [&](Vec2d place) {
+      farthest_m = std::max(farthest_m, std::hypot(place.x, place.y));
+      return 40.0 * std::sin(place.x / 40.0) * std::cos(place.y / 48.0) + 40.0 * std::sin(place.x / 7.0);
+    };
+    LiveReceiver receiver(with_beam_in_elevation(radar_of(close_turn)), Polarization::VV, steep, 1);
+    receiver.hear(made.frame(), pose);
+    EXPECT_GT(farthest_m, up_m < last_m ? 0.9 * last_m : 0.0) << up_m;
+    EXPECT_LT(farthest_m, 1.25 * last_m) << up_m;
+  }
+}
+
+// Each waits for the other.
+TEST(LiveReceiver, ThreadsShareTheWeighingOfAStep) {
+  constexpr radar::RangeAzimuthGrid grid{3000.0, 15.0, 512, -0.1, 4e-3, 64};
+  const MadeFrame made(grid, 3, 0);
+  std::atomic<bool> is_watched = false;
+  std::mutex guard;
+  std::condition_variable another;
+  std::set<std::thread::id> at_work;
+  const GroundHeight watched = [&](Vec2d place) {
+    if (is_watched) {
+      std::unique_lock lock(guard);
+      if (at_work.insert(std::this_thread::get_id()).second) another.notify_all();
+      if (!another.wait_for(lock, std::chrono::seconds(5), [&] { return at_work.size() > 1; })) is_watched = false;
+    }
+    return hills_m(place);
+  };
+  LiveReceiver receiver(with_beam_in_elevation(radar_of(grid)), Polarization::VV, watched, 2);
+  receiver.hear(made.frame(), from_height());
+  is_watched = true;
+  receiver.hear(made.frame(), from_height({1.0, 0.0}), 8, 8);
+  EXPECT_EQ(at_work.size(), 2U);
+}
+
+TEST(LiveReceiver, WhatHoldsTheSignalStaysWhereItIsWhenMoreBinsAreHeard) {
+  const MadeFrame small(sector, 3, 0), large(turn, 3, 0);
+  LiveReceiver receiver(radar_of(sector), Polarization::VV);
+  EXPECT_EQ(receiver.signal(), nullptr);
+  const auto heard = receiver.hear(small.frame(), from_height()).signal_w;
+  const auto held = receiver.signal();
+  ASSERT_EQ(held->data(), heard.data());
+  const std::vector<float> before = *held;
+  receiver.hear(large.frame(), from_height());
+  EXPECT_NE(receiver.signal(), held);
+  EXPECT_EQ(*held, before);
 }
 
 TEST(LiveReceiver, PowerForPicturesIsTheSameTheOtherWayRound) {
