@@ -121,14 +121,14 @@ nlohmann::ordered_json json_of(const bake::BakePlan& plan) {
 /// That the log is none of the files that the bake reads, nor of those that it writes and that may not be there yet.
 void check_log(const std::string& log, const std::string& scene, const std::filesystem::path& folder) {
   std::error_code is_not_there;
-  if (log.empty() || std::filesystem::is_other(log, is_not_there)) return;
+  if (log.empty() || std::filesystem::is_other(log, is_not_there) || is_own_stream(log)) return;
   std::vector<std::string> written;
   for (const char* name : {"collection.json", "terrain.tif", "terrain.json"})
     written.push_back((folder / name).string());
   std::vector<NamedFile> files;
   for (const std::string& file : written) files.push_back({"--out", file});
   files.push_back({"--json-log", log});
-  check_files_to_write(files, TomlSection::read_file(scene).named_files());
+  check_files_apart(files, TomlSection::read_file(scene).named_files());
 }
 
 }  // namespace

@@ -44,11 +44,18 @@ bool is_of(const std::filesystem::path& file, const std::filesystem::path& other
 }  // namespace
 
 void check_files_to_write(std::span<const NamedFile> files, const std::vector<std::filesystem::path>& read) {
+  for (const auto& [option, file] : files) {
+    if (file.empty()) continue;
+    for (const std::filesystem::path& written : with_companion(file)) geo::check_place_for(written);
+  }
+  check_files_apart(files, read);
+}
+
+void check_files_apart(std::span<const NamedFile> files, const std::vector<std::filesystem::path>& read) {
   std::map<std::filesystem::path, const char*> taken;
   for (const auto& [option, file] : files) {
     if (file.empty()) continue;
     for (const std::filesystem::path& written : with_companion(file)) {
-      geo::check_place_for(written);
       const std::string names = written == file
                                     ? fmt::format("names {}", file)
                                     : fmt::format("names {}, which has {} beside it", file, written.string());

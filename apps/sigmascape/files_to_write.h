@@ -18,4 +18,7 @@ struct NamedFile {
 /// work is made from, or that another option names as well, of which the second would take the place of the first.
 void check_files_to_write(std::span<const NamedFile> files, const std::vector<std::filesystem::path>& read);
 
+/// The same of files that are added to where they are: whether they can be written is seen when they are opened.
+void check_files_apart(std::span<const NamedFile> files, const std::vector<std::filesystem::path>& read);
+
 }  // namespace sigmascape::cli

@@ -1,5 +1,6 @@
 #include "progress_log.h"
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cmath>
@@ -24,12 +25,15 @@ constexpr std::string_view beginning = R"({"task":)";
 /// Throws Error for a file that holds anything but a log, to which lines would be added.
 void check_is_log(const std::filesystem::path& file) {
   std::error_code is_none;
-  if (!std::filesystem::is_regular_file(file, is_none)) return;
-  std::array<char, beginning.size()> read{};
+  if (!std::filesystem::is_regular_file(file, is_none) || is_own_stream(file)) return;
+  std::array<char, 2 * beginning.size() + 1> read{};
   std::ifstream stream(file, std::ios::binary);
   stream.read(read.data(), read.size());
   const std::string_view found(read.data(), static_cast<std::size_t>(stream.gcount()));
-  if (beginning.starts_with(found)) return;
+  const std::string_view line = found.substr(0, found.find('\n'));
+  const std::string_view next = found.substr(std::min(line.size() + 1, found.size()));
+  const bool goes_on = next.starts_with(beginning) || beginning.starts_with(next);
+  if (line.starts_with(beginning) || (beginning.starts_with(line) && goes_on)) return;
   throw Error(file.string(), "holds something else than the log of a bake", "give --json-log a file of its own");
 }
 
@@ -39,6 +43,12 @@ std::FILE* opened(const std::filesystem::path& file) {
 }
 
 }  // namespace
+
+bool is_own_stream(const std::filesystem::path& file) {
+  std::error_code is_none;
+  return std::filesystem::equivalent(file, "/dev/stdout", is_none) ||
+         std::filesystem::equivalent(file, "/dev/stderr", is_none);
+}
 
 ProgressLog::ProgressLog(const std::filesystem::path& file) : file_name_(file), file_(opened(file)) {
   if (file_ == nullptr) {

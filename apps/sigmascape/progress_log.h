@@ -11,6 +11,9 @@
 
 namespace sigmascape::cli {
 
+/// Whether it is what the program itself writes messages to, wherever that goes.
+[[nodiscard]] bool is_own_stream(const std::filesystem::path& file);
+
 /// Writes the progress of a bake for machines: a JSON object a line, flushed line by line, when a stage of it begins,
 /// at each look or other unit that is finished, and every ten seconds within long ones. How many looks are there, as
 /// far as that is known, stands in every line, whatever the stage; what the work waits for in those written while it

@@ -102,13 +102,14 @@ void add_live_receiver(py::module_& module) {
           "how far below the radar they answer; a Scene for frames of a LiveTracer. Only an antenna that is even in\n"
           "elevation does without. polarization: 'vv', 'hh', 'hv' or 'vh'. Raises Error for 'sum', and without ground\n"
           "for an antenna that tells elevations apart.")
-      .def("hear", &hear, py::arg("frame"),
-           "float32 [beam, range]: mean power of a compressed pulse with the beam's axis in the bin's middle, W;\n"
-           "NaN in ranges outside the radar's gate and in azimuths that its scan never comes to. Of a step of a\n"
-           "scan only what it changes is heard anew, if the frame before it was heard too; else all beams are,\n"
-           "from where the radar is now: hear every step. The array shares the receiver's memory and changes with\n"
-           "the next frame of as many beams and ranges that it hears. Raises Error for a frame after which its\n"
-           "renderer has drawn another, and for a radar whose frequency is more than 1 % from the frame's.")
+      .def(
+          "hear", &hear, py::arg("frame"),
+          "float32 [beam, range]: mean power of a compressed pulse with the beam's axis in the bin's middle, W;\n"
+          "NaN in ranges outside the radar's gate and in azimuths that its scan never comes to. Of a step of a\n"
+          "scan only what it changes is heard anew, if the frame before it was heard too; else all beams are,\n"
+          "from where the radar is now: hear every step. The array shares the receiver's memory and changes with\n"
+          "the next frame of as many beams and as many ranges that it hears. Raises Error for a frame after which its\n"
+          "renderer has drawn another, and for a radar whose frequency is more than 1 % from the frame's.")
       .def_property_readonly(
           "noise_w", [](const Held<FrameReceiver>& held) { return held.here()->receiver.noise_w(); },
           "Mean power of the noise beside it, k T0 B F, W, the same in every bin.");

@@ -20,6 +20,15 @@ struct ArgumentName {
   constexpr ArgumentName(const char (&name)[length]) { std::copy_n(name, length, letters); }
 };
 
+/// Python does not write out numbers of thousands of digits.
+inline std::string is_in_words(const pybind11::object& whole) {
+  try {
+    return "is " + pybind11::str(whole).cast<std::string>();
+  } catch (const pybind11::error_already_set&) {
+    return "has thousands of digits";
+  }
+}
+
 /// An argument of that name that is a whole number within these bounds. Others raise Error, however long they are;
 /// what is no whole number is a TypeError, as for any argument.
 template <ArgumentName name, typename Number, Number lowest = 0, Number highest = std::numeric_limits<Number>::max()>
@@ -40,8 +49,7 @@ class Whole {
       number_ = pybind11::detail::cast_op<Number>(usual);
       if (number_ >= lowest && number_ <= highest) return true;
     }
-    throw Error(name.letters, "is " + pybind11::str(whole).template cast<std::string>(),
-                fmt::format("give a whole number from {} to {}", lowest, highest));
+    throw Error(name.letters, is_in_words(whole), fmt::format("give a whole number from {} to {}", lowest, highest));
   }
 
  private:

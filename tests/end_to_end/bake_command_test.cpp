@@ -4,6 +4,7 @@
 #include <fstream>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <pty.h>
 #include <string>
@@ -134,6 +135,20 @@ TEST_F(BakeCommand, ALogIsAddedToNoFileButALog) {
   EXPECT_THAT(said_to_log("a", "scene/notes.txt"), HasSubstr("notes.txt: holds something else"));
   EXPECT_EQ(difference_of(files_of(folder_.path("a")), atlas_before), "");
   EXPECT_EQ(difference_of(files_of(folder_.path("scene")), scene_before), "");
+}
+
+TEST_F(BakeCommand, ALogGoesOnBehindPartOfALineAndIntoTheOutputOfAJob) {
+  const std::string options = std::string(one_coarse_look) + " --samples 2 --bounces 1";
+  folder_.write("log.jsonl", R"({"ta)");
+  for (int start = 0; start < 2; ++start)
+    EXPECT_EQ(run(bake_line("a", options + fmt::format(" --json-log '{}'", folder_.path("log.jsonl").string()))).code,
+              0);
+  folder_.write("job.txt", "the job starts\n");
+  const std::string into_job = fmt::format(" --json-log /dev/stdout >> '{}'", folder_.path("job.txt").string());
+  EXPECT_EQ(run(bake_line("a", options + into_job)).code, 0);
+  std::ifstream job(folder_.path("job.txt"));
+  const std::string written{std::istreambuf_iterator<char>(job), {}};
+  EXPECT_THAT(written, AllOf(HasSubstr("the job starts\n"), HasSubstr(R"({"task":)")));
 }
 
 // On standard error, so that a summary in JSON stays what it is; what lies outside by rights is for `scene info` alone.

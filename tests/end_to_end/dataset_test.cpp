@@ -346,15 +346,16 @@ TEST_F(Dataset, PicturesShowTargetsInAPolarizationThatHasThem) {
   EXPECT_EQ(pictured("[\"HV\"]"), radar::Polarization::HV);
 }
 
-// Whoever removes the file that refuses another specification does not get the samples of the first as those of the
-// other.
+// Whoever puts the file of another specification in place of the one that refuses it does not get the samples of the
+// first as those of the other.
 TEST_F(Dataset, LotsOfAnotherDatasetDoNotCount) {
-  const fs::path folder = folder_->path("adopted");
+  const fs::path folder = folder_->path("adopted"), other = folder_->path("other");
+  const dataset::SampleMaker mine(spec({.snr = "[20, 20]"}));
   made(dataset::SampleMaker(spec({})), folder);
-  fs::remove(folder / "dataset.json");
-  EXPECT_EQ(made(dataset::SampleMaker(spec({})), folder).already, count);
-  fs::remove(folder / "dataset.json");
-  EXPECT_EQ(made(dataset::SampleMaker(spec({.snr = "[20, 20]"})), folder).already, 0U);
+  made(mine, other);
+  fs::copy_file(other / "dataset.json", folder / "dataset.json", fs::copy_options::overwrite_existing);
+  EXPECT_EQ(made(mine, folder).already, 0U);
+  EXPECT_EQ(made(mine, folder).already, count);
 }
 
 TEST_F(Dataset, TargetsThatTheGateLeavesOutAreNotSeen) {

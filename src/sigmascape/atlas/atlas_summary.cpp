@@ -107,7 +107,7 @@ AtlasSummary summary_of(const Store& store) {
 
   summary.pyramid_levels = Pyramid(store).levels();
   summary.pyramid = textures_above(store);
-  summary.terrain_fault = terrain_fault(store, Scrutiny::Size);
+  if (!is_ground_of_an_atlas(store.description())) summary.terrain_fault = terrain_fault(store, Scrutiny::Size);
   if (!keeps_ground_apart(store)) return summary;
   summary.obstacles = obstacles_of(store);
   summary.ground_fault = ground_collection_fault(store);

@@ -34,7 +34,9 @@ std::vector<StoreFault> faults_of_ground(const Store& atlas, Scrutiny scrutiny, 
 
 std::vector<StoreFault> verify(const Store& atlas, Scrutiny scrutiny, ProgressListener* progress) {
   std::vector<StoreFault> faults = faults_of_textures(atlas, scrutiny, progress);
-  if (auto fault = terrain_fault(atlas, scrutiny)) faults.push_back(std::move(*fault));
+  if (!is_ground_of_an_atlas(atlas.description())) {
+    if (auto fault = terrain_fault(atlas, scrutiny)) faults.push_back(std::move(*fault));
+  }
   if (!keeps_ground_apart(atlas)) return faults;
   std::ranges::move(faults_of_ground(atlas, scrutiny, progress), std::back_inserter(faults));
   for (const PatchIndex& patch : atlas.description().patches.covering(atlas.description().extent)) {

@@ -53,8 +53,11 @@ void require_geotiff_keys(const std::string& crs, const std::string& where) {
   const GdalMemoryFile file;
   encode_geotiff(where, *one_cell, {}, file);
   if (tells(file, reference_from(crs, where))) return;
-  throw Error(where, fmt::format("a GeoTIFF would tell another system than '{}', most likely one of other axes", crs),
-              "choose one whose axes point east and north, or give its authority code such as EPSG:25830");
+  throw Error(
+      where,
+      fmt::format("a GeoTIFF would tell another system than '{}', most likely one of other axes or without its heights",
+                  crs),
+      "give its authority code such as EPSG:25830, or choose one of axes east and north and without grids");
 }
 
 }  // namespace sigmascape::geo

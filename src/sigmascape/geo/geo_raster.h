@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "sigmascape/base/array2d.h"
@@ -36,6 +37,8 @@ struct GeoRaster {
 void write_geotiff(const std::filesystem::path& path, const GeoRaster& raster);
 /// The bytes of that file, for whoever has something to put into them. `path` is where they will lie, for messages.
 [[nodiscard]] std::string geotiff_bytes(const std::filesystem::path& path, const GeoRaster& raster);
+/// Writes such bytes whole or not at all, and removes what others have noted of the file that lay there.
+void write_geotiff_bytes(const std::filesystem::path& path, std::string_view bytes);
 /// Whether a file of that name is known for a GeoTIFF: .tif or .tiff.
 [[nodiscard]] bool is_geotiff_name(const std::filesystem::path& path);
 

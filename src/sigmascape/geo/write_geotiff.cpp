@@ -115,7 +115,11 @@ std::string geotiff_bytes(const std::filesystem::path& path, const GeoRaster& ra
 }
 
 void write_geotiff(const std::filesystem::path& path, const GeoRaster& raster) {
-  write_atomically(path, geotiff_bytes(path, raster));
+  write_geotiff_bytes(path, geotiff_bytes(path, raster));
+}
+
+void write_geotiff_bytes(const std::filesystem::path& path, std::string_view bytes) {
+  write_atomically(path, bytes);
   // What others noted of the file that lay there, statistics above all, does not hold of this one.
   std::error_code ignored;
   std::filesystem::remove(path.string() + ".aux.xml", ignored);

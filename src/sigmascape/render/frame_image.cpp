@@ -121,7 +121,8 @@ GroundHeight ground_below(const Frame& frame, const Pose& pose, const LiveGround
   const radar::RangeAzimuthGrid& grid = frame.grid;
   const double width_rad = static_cast<double>(grid.azimuths) * grid.azimuth_step_rad;
   const Vec2d foot{pose.position.x, pose.position.y};
-  const radar::Rectangle seen = ground_under(foot, grid.first_azimuth_rad, width_rad, {0.0, last_range_m(grid)});
+  const double far_m = farthest_ground_m(frame.earth, last_range_m(grid));
+  const radar::Rectangle seen = ground_under(foot, grid.first_azimuth_rad, width_rad, {0.0, far_m});
   const auto window = std::make_shared<const terrain::TerrainWindow>(
       ground.terrain().window_over(seen, grid.range_step_m, most_nodes_a_side).nodes);
   return [window, view = window->view()](Vec2d place) { return terrain::height_at(view, place); };

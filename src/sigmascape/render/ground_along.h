@@ -12,6 +12,12 @@
 
 namespace sigmascape::render {
 
+/// No ground that is farther away along the sea is of that range, for none lies lower than the bottom of the sea.
+[[nodiscard]] inline double farthest_ground_m(const radar::CurvedEarth& earth, double range_m) {
+  constexpr double for_depths = 1.02;
+  return for_depths * radar::distance_of_range_m(earth, 0.0, 0.0, range_m);
+}
+
 /// How far below a radar the ground lies along one azimuth, at growing slant ranges up to a last one. Heights are asked
 /// for at distances that ground of that range may have, and at none beyond (`reach_m`).
 /// `Height`: of the ground above mean sea level, of a place of the local frame.
@@ -53,18 +59,12 @@ class GroundAlong {
     return {distance_m, height_m, earth_.slant_range_m(radar_.z, height_m, distance_m)};
   }
 
-  /// No ground that is farther away along the sea is of that range, for none lies lower than the bottom of the sea.
-  [[nodiscard]] double reach_m(double range_m) const {
-    constexpr double for_depths = 1.02;
-    return for_depths * radar::distance_of_range_m(earth_, 0.0, 0.0, range_m);
-  }
-
   /// Where the ground is nearest: straight below, unless it rises ahead by more than it recedes.
   [[nodiscard]] Place nearest(double last_range_m) const {
     constexpr int places = 64;
     const Place below = at(0.0);
     Place nearest = below;
-    const double farthest_m = std::min(below.range_m, reach_m(last_range_m));
+    const double farthest_m = std::min(below.range_m, farthest_ground_m(earth_, last_range_m));
     for (int number = 1; number < places; ++number) {
       const Place there = at(farthest_m * number / places);
       if (there.range_m < nearest.range_m) nearest = there;
@@ -86,12 +86,12 @@ class GroundAlong {
   /// The last two of steps from one place over another until there is ground of that range: twice as far beyond as an
   /// even slope would have it, and farther from there.
   [[nodiscard]] std::pair<Place, Place> about(Place near, Place far, double wanted_m, double near_enough_m) const {
-    const double reach = reach_m(wanted_m);
+    const double farthest_m = farthest_ground_m(earth_, wanted_m);
     const double farther_m = far.range_m - near.range_m, way_m = far.distance_m - near.distance_m;
     double step_m = farther_m > 0.0 ? 2.0 * (wanted_m - far.range_m) / farther_m * way_m : 2.0 * way_m;
-    for (; far.range_m < wanted_m - near_enough_m && far.distance_m < reach; step_m *= 2.0) {
+    for (; far.range_m < wanted_m - near_enough_m && far.distance_m < farthest_m; step_m *= 2.0) {
       near = far;
-      far = at(std::min(far.distance_m + step_m, reach));
+      far = at(std::min(far.distance_m + step_m, farthest_m));
     }
     return {near, far};
   }

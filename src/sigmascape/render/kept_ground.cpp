@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "sigmascape/render/frame_reach.h"
+#include "sigmascape/render/ground_along.h"
 #include "sigmascape/render/ground_hearing.h"
 
 namespace sigmascape::render {
@@ -20,9 +21,9 @@ bool contains(const radar::Rectangle& outer, const radar::Rectangle& inner) {
 
 }  // namespace
 
-void KeptGround::cover(const radar::RangeAzimuthGrid& grid, Vec2d radar) {
+void KeptGround::cover(const radar::RangeAzimuthGrid& grid, Vec2d radar, const radar::CurvedEarth& earth) {
   if (ground_ == nullptr) return;
-  const double far_m = last_range_m(grid);
+  const double far_m = farthest_ground_m(earth, last_range_m(grid));
   const double width_rad = static_cast<double>(grid.azimuths) * grid.azimuth_step_rad;
   const double margin_m = margin_part * far_m;
   // As of a whole turn, so that a sector that turns keeps its level; a few nodes more lie at the edges.

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "sigmascape/base/vec.h"
+#include "sigmascape/radar/curved_earth.h"
 #include "sigmascape/radar/ground_grid.h"
 #include "sigmascape/radar/range_azimuth_image.h"
 #include "sigmascape/render/ground_height.h"
@@ -19,10 +20,10 @@ namespace sigmascape::render {
 ///
 /// Of a LiveGround a window of its terrain is kept that is larger than what a frame looks at by a quarter of its
 /// farthest range on every side, so that a flight needs another only after that. Its nodes are those of one level of
-/// the terrain, which follows from the bins alone: the coarsest whose nodes stand at most two range bins apart, or at
-/// most two 2044ths of the square about a turn of such a window. A place has the same height in every window, whatever
-/// has been kept: nothing is wrong by being kept. Where tiles cannot be had coarser ones stand in, and the window is
-/// taken anew as soon as some can be, for which the pyramid is asked once in its patience.
+/// the terrain, which follows from the bins and the Earth alone: the coarsest whose nodes stand at most two range bins
+/// apart, or at most two 2044ths of the square about a turn of such a window. A place has the same height in every
+/// window, whatever has been kept: nothing is wrong by being kept. Where tiles cannot be had coarser ones stand in, and
+/// the window is taken anew as soon as some can be, for which the pyramid is asked once in its patience.
 class KeptGround {
  public:
   /// None: for antennas that do not ask.
@@ -31,9 +32,9 @@ class KeptGround {
   KeptGround(GroundHeight height_m) : height_m_(std::move(height_m)) {}           // NOLINT: stands for it
 
   [[nodiscard]] bool is_known() const { return ground_ != nullptr || height_m_; }
-  /// Makes sure of the ground below all bins of a grid seen from a place. Reads tiles where it has to take another
-  /// window, and where it looks after those that it lacks.
-  void cover(const radar::RangeAzimuthGrid& grid, Vec2d radar);
+  /// Makes sure of all places that ground of the ranges of a grid, seen from a place, can lie at. Reads tiles where it
+  /// has to take another window, and where it looks after those that it lacks.
+  void cover(const radar::RangeAzimuthGrid& grid, Vec2d radar, const radar::CurvedEarth& earth);
   /// Windows that have been taken: heights that were asked for with as many before are those of now.
   [[nodiscard]] std::uint64_t windows() const { return windows_; }
 

@@ -74,7 +74,7 @@ const HeardPower& LiveReceiver::hear(const Frame& frame, const Pose& pose, std::
     step = {0, frame.grid.azimuths};
   }
   const bool elevations = responses_->ground.places().tell_elevations_apart();
-  if (elevations) ground_.cover(grid_, {pose.position.x, pose.position.y});
+  if (elevations) ground_.cover(grid_, {pose.position.x, pose.position.y}, frame.earth);
   has_bins_ = false;  // until all beams of the step are as they should be
 
   const std::size_t taps_along = responses_->along.weights.size(), taps_across = responses_->across.weights.size();
@@ -108,6 +108,7 @@ void LiveReceiver::take_bins(const radar::RangeAzimuthGrid& grid) {
     responses_->move_to(grid);
   }
   const receiver::EchoPlaces& places = responses_->ground.places();
+  const bool is_as_many = grid.azimuths == grid_.azimuths && grid.ranges == grid_.ranges;
   grid_ = grid;
   factors_.resize(grid.ranges);
   const double bins_of_a_point = responses_->along.peak_bins * responses_->across.peak_bins;
@@ -122,7 +123,7 @@ void LiveReceiver::take_bins(const radar::RangeAzimuthGrid& grid) {
   const std::size_t bins = grid.azimuths * grid.ranges;
   lines_.resize(bins);
   // Others may look at it still.
-  if (signal_w_ == nullptr || signal_w_->size() != bins) signal_w_ = std::make_shared<std::vector<float>>(bins);
+  if (signal_w_ == nullptr || !is_as_many) signal_w_ = std::make_shared<std::vector<float>>(bins);
   dark_.resize(grid.azimuths);
   if (places.tell_elevations_apart()) {
     weights_.resize(bins);

@@ -30,10 +30,10 @@ struct LiveTraceSettings {
   double lattice_m = 0.25;
   /// Lattice cells of ground that are traced at a time, at most: a frame that needs more is refused, of the steps of a
   /// scan the oldest are forgotten. Of each 13 bytes are kept, and for amplitudes 48 more: this many take a fifth of a
-  /// gigabyte, or one. Amplitudes take 48 bytes as well for each cell beside the scene, under the bins, that an echo
-  /// lands on: next to none seen flatly, several hundred metres all round where a radar looks straight down on tall
-  /// things. While rays are laid out past the highest point so flatly that four times as many are aimed at, it may be
-  /// two gigabytes more.
+  /// gigabyte, or one. Amplitudes take 48 bytes as well for each cell beside the scene, under the bins, in every
+  /// square of 8 × 8 that an echo lands in: next to none seen flatly, several hundred metres all round where a radar
+  /// looks straight down on tall things. While rays are laid out past the highest point so flatly that four times as
+  /// many are aimed at, it may be two gigabytes more.
   double most_cells = 0x1p24;
 };
 

@@ -168,7 +168,7 @@ void write_tile(const std::filesystem::path& folder, const PyramidLayout& layout
   std::string bytes = geo::geotiff_bytes(path, raster);
   const std::size_t digits = place_of_file_hash(bytes).value();
   bytes.replace(digits, sha256_digits, hash_without_digits(bytes, digits));
-  geo::write_atomically(path, bytes);
+  geo::write_geotiff_bytes(path, bytes);
 }
 
 std::shared_ptr<const HeightTile> read_tile(const std::filesystem::path& folder, TileKey key) {

@@ -47,6 +47,7 @@ TEST(AtlasSummary, CountsEachKindOfFilesByItself) {
   expect_files(summary.obstacles, 4 + written.obstacles, 4 + 1);
   expect_files(summary.ground, 2 * 4 + written.ground, 2 * (4 + 1));
   EXPECT_FALSE(summary.ground_fault || summary.terrain_fault);
+  EXPECT_FALSE(summary_of(open_ground_store(atlas)).terrain_fault) << "it has none of its own";
 
   std::filesystem::remove(atlas.folder() / obstacles_path({0, {0, 0}}));
   std::filesystem::remove_all(ground_folder_of(atlas) / "patch_+000_+000");

@@ -329,7 +329,7 @@ TEST_F(LiveReceiverOverGround, HeightsOfSteepGroundDoNotDependOnWhatWasKept) {
     Pose here = from_height(example.middle() + Vec2d{37.3, 11.1} * static_cast<double>(number));
     here.position.z = 220.0 + 10.0 * number;
     Pose there = here;
-    there.position.x += number % 2 == 0 ? 60.0 : -60.0;
+    there.position.x += number % 2 == 0 ? 112.0 : -112.0;  // nearly all that is kept beside
     LiveReceiver fresh(radar, Polarization::VV, steep, 1), receiver(radar, Polarization::VV, steep, 1);
     receiver.hear(made.frame(), there);
     EXPECT_THAT(receiver.hear(made.frame(), here).signal_w,
@@ -363,7 +363,7 @@ TEST_F(LiveReceiverOverGround, AWindowThatLacksTilesIsTakenAnewWhenThereIsSometh
   KeptGround kept(std::make_shared<LiveGround>(*store_, short_of(example.terrain(), is_short), 10e9));
   const auto cover = [&] {
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
-    kept.cover(close_turn, example.middle());
+    kept.cover(close_turn, example.middle(), {});
     return kept.windows();
   };
   EXPECT_EQ(cover(), 1U);
@@ -378,9 +378,9 @@ TEST_F(LiveReceiverOverGround, OneWindowOfTheGroundServesAFlight) {
   LiveRenderer renderer(ground_, view_.settings(FrameContent::Powers));
   const radar::RangeAzimuthGrid& grid = renderer.render(view_.pose()).grid;
   const Vec2d foot{view_.pose().position.x, view_.pose().position.y};
-  for (int metre = 0; metre < 1000; ++metre) kept.cover(grid, foot + Vec2d{static_cast<double>(metre), 0.0});
+  for (int metre = 0; metre < 1000; ++metre) kept.cover(grid, foot + Vec2d{static_cast<double>(metre), 0.0}, {});
   EXPECT_EQ(kept.windows(), 1U);
-  kept.cover(grid, foot + Vec2d{1200.0, 0.0});
+  kept.cover(grid, foot + Vec2d{1200.0, 0.0}, {});
   EXPECT_EQ(kept.windows(), 2U);
 }
 
@@ -526,7 +526,7 @@ TEST(LiveReceiver, BeamsAreWeighedFromWhereTheRadarIsInTheirStep) {
 }
 
 // A window of the ground is larger than what the bins look at by a quarter of their farthest range.
-TEST(LiveReceiver, HeightsAreAskedForNoFartherThanAKeptWindowReaches) {
+TEST(LiveReceiver, HeightsAreAskedForNoFartherThanWhatIsCovered) {
   const MadeFrame made(close_turn, 3, 0);
   const double last_m = close_turn.first_range_m + static_cast<double>(close_turn.ranges) * close_turn.range_step_m;
   for (const double up_m : {120.0, 250.0, 1000.0}) {
@@ -540,7 +540,7 @@ TEST(LiveReceiver, HeightsAreAskedForNoFartherThanAKeptWindowReaches) {
     LiveReceiver receiver(with_beam_in_elevation(radar_of(close_turn)), Polarization::VV, steep, 1);
     receiver.hear(made.frame(), pose);
     EXPECT_GT(farthest_m, up_m < last_m ? 0.9 * last_m : 0.0) << up_m;
-    EXPECT_LT(farthest_m, 1.25 * last_m) << up_m;
+    EXPECT_LT(farthest_m, 1.021 * last_m) << up_m;
   }
 }
 

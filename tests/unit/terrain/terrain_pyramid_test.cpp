@@ -509,6 +509,7 @@ TEST(PyramidOfOneTile, NoByteOfItIsAlteredUnnoticed) {
   }
   EXPECT_TRUE(is_found(right.substr(0, right.size() - 10)));
   EXPECT_TRUE(is_found(right + "x"));
+  std::ofstream(tile.string() + ".aux.xml") << "<PAMDataset><SRS>EPSG:25830</SRS></PAMDataset>";
   EXPECT_EQ(build_pyramid(pyramid, field, frame), 1U);
   EXPECT_EQ(difference_of(files_of(pyramid), whole), "");
 }
