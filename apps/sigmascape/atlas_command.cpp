@@ -50,9 +50,11 @@ nlohmann::ordered_json json_of(const std::vector<atlas::StoreFault>& faults) {
   return list;
 }
 
-/// What is wrong with the tiles of the terrain, by file of the atlas. `faults_in` tells it of their folder.
+/// What is wrong with the tiles of the terrain, by file of the atlas. `faults_in` tells it of their folder. The ground
+/// of an atlas has none of its own.
 template <typename FaultsIn>
 std::vector<atlas::StoreFault> tile_faults(const atlas::Store& atlas, const FaultsIn& faults_in) {
+  if (atlas::is_ground_of_an_atlas(atlas.description())) return {};
   const std::filesystem::path name = atlas::terrain_pyramid_name;
   std::error_code error;
   if (!std::filesystem::exists(atlas.folder() / name, error) && !error) return {{name / "", "is missing", true}};

@@ -137,6 +137,13 @@ TEST_F(BakeCommand, ALogIsAddedToNoFileButALog) {
   EXPECT_EQ(difference_of(files_of(folder_.path("scene")), scene_before), "");
 }
 
+TEST_F(BakeCommand, TheGroundOfAnAtlasLacksNoTerrainOfItsOwn) {
+  ASSERT_EQ(baked("a", std::string(one_coarse_look) + " --samples 2 --bounces 1").at("looks"), 4);
+  EXPECT_EQ(info_of("a/ground").at("terrain").at("faults").size(), 0U);
+  const Ended verified = run(line("atlas verify", folder_.path("a/ground").string()));
+  EXPECT_EQ(verified.code, 0) << verified.printed;
+}
+
 TEST_F(BakeCommand, ALogGoesOnBehindPartOfALineAndIntoTheOutputOfAJob) {
   const std::string options = std::string(one_coarse_look) + " --samples 2 --bounces 1";
   folder_.write("log.jsonl", R"({"ta)");

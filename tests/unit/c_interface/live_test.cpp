@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "scratch_folder.h"
+#include "unit/c_interface/atlas_of_even_ground.h"
 #include "unit/c_interface/said_in_c.h"
 #include "unit/render/live_ground_example.h"
 
@@ -21,7 +22,6 @@
 #include "sigmascape/c_interface/sigmascape.h"
 #include "sigmascape/radar/target.h"
 #include "sigmascape/simulate/live_tracer.h"
-#include "sigmascape/terrain/height_field_file.h"
 #include "sigmascape/terrain/pyramid_builder.h"
 
 namespace sigmascape {
@@ -31,12 +31,7 @@ class LiveFromC : public testing::Test {
  protected:
   static void SetUpTestSuite() {
     folder_ = std::make_unique<ScratchFolder>();
-    render::ExampleGround example;
-    example.sigma0 = [](const radar::Look& look) { return render::constant_gamma(0.1, look); };
-    const auto store = example.store(folder_->path("atlas"));
-    terrain::write_height_field(folder_->path("atlas") / atlas::terrain_name, example.terrain(),
-                                store.description().frame.proj());
-    atlas::vouch_for_terrain(store);
+    write_atlas_of_even_ground(folder_->path("atlas"));
   }
   static void TearDownTestSuite() { folder_.reset(); }
   [[nodiscard]] static std::string atlas() { return folder_->path("atlas").string(); }

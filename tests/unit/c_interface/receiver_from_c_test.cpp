@@ -8,14 +8,13 @@
 #include <vector>
 
 #include "scratch_folder.h"
+#include "unit/c_interface/atlas_of_even_ground.h"
 #include "unit/c_interface/said_in_c.h"
 #include "unit/render/live_ground_example.h"
 
-#include "sigmascape/atlas/terrain_file.h"
 #include "sigmascape/c_interface/sigmascape.h"
 #include "sigmascape/radar/radar_file.h"
 #include "sigmascape/render/live_receiver.h"
-#include "sigmascape/terrain/height_field_file.h"
 
 namespace sigmascape {
 namespace {
@@ -30,12 +29,7 @@ class ReceiverFromC : public testing::Test {
  protected:
   static void SetUpTestSuite() {
     folder_ = std::make_unique<ScratchFolder>();
-    render::ExampleGround example;
-    example.sigma0 = [](const radar::Look& look) { return render::constant_gamma(0.1, look); };
-    const auto store = example.store(folder_->path("atlas"));
-    terrain::write_height_field(folder_->path("atlas") / atlas::terrain_name, example.terrain(),
-                                store.description().frame.proj());
-    atlas::vouch_for_terrain(store);
+    write_atlas_of_even_ground(folder_->path("atlas"));
     std::ofstream(radar_file()) << radar_text(
         "10.0", "[antenna]\nelevation_shape = \"gaussian\"\nelevation_width_deg = 12.0\ntilt_deg = -13.0\n");
     std::ofstream(even_radar_file()) << radar_text("10.0", "");
