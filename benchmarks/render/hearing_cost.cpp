@@ -7,6 +7,7 @@
 #include "frame_cost.h"
 
 #include "sigmascape/receiver/receive_chain.h"
+#include "sigmascape/render/drawn_beams.h"
 #include "sigmascape/render/frame_image.h"
 #include "sigmascape/render/live_receiver.h"
 
@@ -42,26 +43,34 @@ void prove_alike(const render::HeardPower& heard, const receiver::ReceivedPower&
 HearingCost hearing_cost(const std::shared_ptr<render::LiveGround>& ground, const radar::Radar& radar,
                          const render::LiveSettings& settings, const render::Pose& pose, int repetitions) {
   render::LiveRenderer renderer(ground, settings);
-  const render::Frame& frame = settled(renderer, *ground, pose);
-  const render::GroundHeight below = render::ground_below(frame, pose, *ground);
+  render::Frame frame = settled(renderer, *ground, pose);
+  const render::GroundHeight below = render::ground_below(frame, *ground);
   HearingCost cost;
   receiver::ReceivedPower expected;
   for (int run = 0; run < repetitions; ++run) {
     take_least(cost.image, [&] {
-      expected = receiver::received_power(radar, render::image_of(frame, pose, radar, below), polarization);
+      expected = receiver::received_power(radar, render::image_of(frame, radar, below), polarization);
     });
   }
   render::LiveReceiver receiver(radar, polarization, ground, 1);
   cost.first = 1e30;
-  take_least(cost.first, [&] { receiver.hear(frame, pose); });
-  prove_alike(receiver.hear(frame, pose), expected);
-  render::Pose moved = pose;
+  take_least(cost.first, [&] { receiver.hear(frame); });
+  prove_alike(receiver.hear(frame), expected);
+  // What the bins hold costs the same every time: that they were drawn again is said alone.
+  render::DrawnBeams drawn(frame.grid.azimuths);
+  Vec3d place = pose.position;
+  const auto hear = [&](double& least, std::size_t first_beam, std::size_t count) {
+    drawn.begin(first_beam, count);
+    frame.drawing = drawn.end(place);
+    frame.beams = drawn.all();
+    take_least(least, [&] { receiver.hear(frame); });
+  };
   for (int run = 0; run < repetitions; ++run) {
-    take_least(cost.frame, [&] { receiver.hear(frame, moved); });
-    take_least(cost.step, [&] { receiver.hear(frame, moved, beams_a_step, beams_a_step); });
-    moved.position.x += 1.0;
-    take_least(cost.moved_step, [&] { receiver.hear(frame, moved, beams_a_step, beams_a_step); });
-    take_least(cost.moved_frame, [&] { receiver.hear(frame, moved); });
+    hear(cost.frame, 0, frame.grid.azimuths);
+    hear(cost.step, beams_a_step, beams_a_step);
+    place.x += 1.0;
+    hear(cost.moved_step, beams_a_step, beams_a_step);
+    hear(cost.moved_frame, 0, frame.grid.azimuths);
   }
   return cost;
 }

@@ -49,8 +49,8 @@ render::Pose pose_over(const scene::Scene& scene, const render::LiveSettings& se
 }
 
 /// Seen from above, with the radar below the picture.
-product::Picture picture_of(const render::Frame& frame, const render::Pose& pose, double top_db) {
-  const auto map = product::ppi(render::image_of(frame, pose), {.up_rad = azimuth_rad + pi, .longer_side = 512});
+product::Picture picture_of(const render::Frame& frame, double top_db) {
+  const auto map = product::ppi(render::image_of(frame), {.up_rad = azimuth_rad + pi, .longer_side = 512});
   return product::picture_of(map, {.top_db = top_db});
 }
 
@@ -101,8 +101,8 @@ product::Picture levels_beside(const scene::Scene& scene, const trace::SceneGeom
   renderer.render(pose);
   ground->wait_until_loaded();
   const render::Frame& baked = renderer.render(pose);
-  const double top_db = product::percentile_top_db(product::ppi(render::image_of(traced, pose)));
-  return beside(picture_of(traced, pose, top_db), picture_of(baked, pose, top_db));
+  const double top_db = product::percentile_top_db(product::ppi(render::image_of(traced)));
+  return beside(picture_of(traced, top_db), picture_of(baked, top_db));
 }
 
 /// Says which of the two a program would take that has both.

@@ -1,13 +1,11 @@
 #pragma once
 
 #include <array>
-#include <atomic>
 #include <cstdint>
 #include <memory>
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "held.h"
@@ -34,16 +32,13 @@ using Pulse = Whole<"pulse", std::uint64_t>;
 /// What Python holds of a class that draws live frames, `Drawer`, and what that draws on.
 template <typename Drawer>
 struct DrawnLive {
-  std::size_t beams;
   std::uint64_t seed;
-  double frequency_hz;
   Words words;
   geo::LocalFrame frame;
   std::shared_ptr<LoadedScene> scene;  ///< whose point targets answer besides those that are set; null: none
   simulate::TargetGround ground;
   Drawer drawer;
   std::vector<radar::Target> targets;
-  std::uint64_t newest = 0;  ///< number of the frame that the bins hold, among all of the process; 0: none yet
 
   void set_targets(const std::vector<radar::TargetSource>& given) {
     targets = simulate::all_targets(scene ? &scene->scene() : nullptr, given, frame, ground, seed);
@@ -75,42 +70,17 @@ inline render::LiveSettings settings_from(const std::string& content, std::size_
           .refraction = refraction};
 }
 
-/// From 1 on.
-inline std::uint64_t next_frame_number() {
-  static std::atomic<std::uint64_t> frames{0};
-  return ++frames;
-}
-
-/// What `draw` makes of the pose with the drawer behind `self`, for which others wait their turn. What `check`, the
-/// pose itself or the drawer refuses leaves the bins to the last frame; of a call that breaks off otherwise nothing in
-/// them is to be heard.
-template <typename Drawer, typename Check, typename Draw>
-HeldFrame drawn(const pybind11::object& self, const render::Pose& pose, BeamStep step, const Check& check,
-                const Draw& draw) {
+/// What `draw` makes of the pose with the drawer behind `self`, for which others wait their turn.
+template <typename Drawer, typename Draw>
+HeldFrame drawn(const pybind11::object& self, const render::Pose& pose, const Draw& draw) {
   const auto& held = self.cast<const Held<DrawnLive<Drawer>>&>();
   // A copy of what is told about the bins, taken before the next caller's frame is.
   HeldFrame frame = long_call([&] {
     return held.in_turn([&](DrawnLive<Drawer>& live) {
       render::Pose with_targets = pose;
       with_targets.targets = live.targets;
-      check(live);
-      render::check(with_targets, "live frame");
-      const std::uint64_t before = std::exchange(live.newest, next_frame_number());
-      try {
-        return HeldFrame{.frame = draw(live, with_targets),
-                         .pose = pose,
-                         .renderer = {},
-                         .turns = &held.turns(),
-                         .number = live.newest,
-                         .before = before,
-                         .step = step,
-                         .newest = &live.newest,
-                         .words = live.words,
-                         .frequency_hz = live.frequency_hz};
-      } catch (const Error&) {
-        live.newest = before;
-        throw;
-      }
+      return HeldFrame{
+          .frame = draw(live, with_targets), .pose = pose, .renderer = {}, .turns = &held.turns(), .words = live.words};
     });
   });
   frame.renderer = self;
@@ -134,7 +104,6 @@ void bind_drawing(pybind11::class_<Held<DrawnLive<Drawer>>>& binding, const char
         return drawn<Drawer>(
             self,
             pose_from(position_m, first_azimuth_rad, first_range_m, velocity_mps, {time_s, dwell_number, pulse_number}),
-            BeamStep{}, [](const auto&) {},
             [](auto& live, const render::Pose& pose) { return live.drawer.render(pose); });
       },
       position, by_keyword, azimuth, range, velocity, time, dwell, pulse, of_render);
@@ -146,7 +115,6 @@ void bind_drawing(pybind11::class_<Held<DrawnLive<Drawer>>>& binding, const char
         return drawn<Drawer>(
             self,
             pose_from(position_m, first_azimuth_rad, first_range_m, velocity_mps, {time_s, dwell_number, pulse_number}),
-            BeamStep{first_beam, count}, [&](const auto& live) { render::check_step(first_beam, count, live.beams); },
             [&](auto& live, const render::Pose& pose) { return live.drawer.scan(pose, first_beam, count); });
       },
       position, by_keyword, azimuth, range, py::arg("first_beam"), py::arg("count"), velocity, time, dwell, pulse,

@@ -36,9 +36,7 @@ std::unique_ptr<Held<GroundRenderer>> made_renderer(const Held<LiveGround>& held
   const std::shared_ptr<LiveGround>& ground = held.here();
   const atlas::AtlasDescription& atlas = ground->description();
   std::shared_ptr<GroundRenderer> made(
-      new GroundRenderer{.beams = beams,
-                         .seed = seed,
-                         .frequency_hz = ground->frequency_hz(),
+      new GroundRenderer{.seed = seed,
                          .words = origin_words("live frame from terrain and atlas", atlas.frame, atlas.name,
                                                atlas.scene_hash, atlas.attribution, seed),
                          .frame = atlas.frame,
@@ -59,7 +57,7 @@ py::object numbers_of(const HeldFrame& held, std::span<const Number> numbers) {
 
 /// The bins are the renderer's: nobody is to draw into them meanwhile.
 void save(const HeldFrame& held, const std::filesystem::path& path, std::optional<double> frequency_ghz) {
-  const double own_ghz = held.frequency_hz / 1e9;
+  const double own_ghz = held.frame.frequency_hz / 1e9;
   constexpr double as_rounded = 1e-9;
   if (frequency_ghz && !(std::abs(*frequency_ghz - own_ghz) <= as_rounded * own_ghz))
     throw Error("frequency_ghz", fmt::format("is {:g}, and the frame is of {:g}", *frequency_ghz, own_ghz),
@@ -67,12 +65,10 @@ void save(const HeldFrame& held, const std::filesystem::path& path, std::optiona
   if (held.frame.amplitudes_m.empty())
     throw Error(path.string(), "cannot hold powers", "make the renderer with content='amplitudes'");
   const std::scoped_lock turn(*held.turns);
-  if (held.number != *held.newest)
-    throw Error(path.string(), "cannot hold a frame whose bins hold a later one of its renderer",
-                "save each frame before the next is drawn");
+  render::check_holds(held.frame, path.string());
   product::write_iq(
       path, product::iq_record(held.frame.grid, held.frame.amplitudes_m, {held.pose.position, held.pose.velocity_mps},
-                               held.frequency_hz, held.words));
+                               held.frame.frequency_hz, held.words));
 }
 
 /// Whoever has the turn may be at a long frame.

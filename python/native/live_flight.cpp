@@ -27,9 +27,7 @@ std::unique_ptr<Held<SceneFlight>> made_flight(std::shared_ptr<LoadedScene> scen
   const auto& loaded = *scene;
   const scene::Scene& seen = loaded.scene();
   std::shared_ptr<SceneFlight> made(
-      new SceneFlight{.beams = beams,
-                      .seed = seed,
-                      .frequency_hz = ground.here()->frequency_hz(),
+      new SceneFlight{.seed = seed,
                       .words = origin_words("live frame, path-traced or from terrain and atlas", seen.frame, seen.name,
                                             loaded.hash(), seen.attribution, seed),
                       .frame = seen.frame,

@@ -28,9 +28,7 @@ std::unique_ptr<Held<SceneTracer>> made_tracer(std::shared_ptr<LoadedScene> scen
   const auto& loaded = *scene;
   const scene::Scene& seen = loaded.scene();
   std::shared_ptr<SceneTracer> made(new SceneTracer{
-      .beams = beams,
       .seed = seed,
-      .frequency_hz = frequency_ghz * 1e9,
       .words = origin_words("live frame, path-traced", seen.frame, seen.name, loaded.hash(), seen.attribution, seed),
       .frame = seen.frame,
       .scene = std::move(scene),

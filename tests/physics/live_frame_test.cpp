@@ -146,7 +146,7 @@ TEST(LiveFrame, OfLevelGroundHasTheReceivedPowerOfTheRadarEquation) {
     for (const auto& [polarization, name, part] : {std::tuple{radar::Polarization::VV, "VV", 1.0},
                                                    {radar::Polarization::HH, "HH", 0.5},
                                                    {radar::Polarization::HV, "HV", 0.1}}) {
-      const auto received = receiver::received_power(radar, image_of(frame, pose), polarization);
+      const auto received = receiver::received_power(radar, image_of(frame), polarization);
       double sum_w = 0.0, wanted_w = 0.0;
       for (std::size_t range = 4; range + 4 < view.ranges; ++range) {
         const double range_m = pose.first_range_m + (static_cast<double>(range) + 0.5) * bins.range_step_m;

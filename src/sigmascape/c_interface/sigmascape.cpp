@@ -1,11 +1,9 @@
 #include "sigmascape/c_interface/sigmascape.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <cstring>
 #include <exception>
-#include <limits>
 #include <map>
 #include <memory>
 #include <new>
@@ -64,15 +62,6 @@ struct TracedScene {
   sigmascape::trace::SceneGeometry geometry;
 };
 
-/// The frame that a renderer's bins hold, and how it came about.
-struct DrawnFrame {
-  sigmascape::render::Frame frame;
-  sigmascape::render::Pose pose;  // without its targets
-  std::size_t first_beam = 0, count = 0;
-  std::uint64_t number = 0;  ///< among all frames of the process, from 1 on; 0: none has been drawn
-  std::uint64_t before = 0;  ///< that of the frame of which it has the other beams
-};
-
 }  // namespace
 
 struct sigmascape_scene {
@@ -85,18 +74,15 @@ struct sigmascape_renderer {
   std::shared_ptr<TracedScene> scene = {};
   std::unique_ptr<LiveTracer> tracer = {};
   std::unique_ptr<LiveFlight> flight = {};
-  std::vector<Target> targets = {};  ///< those of the scene, where there is one, then those that were set
-  DrawnFrame last = {};
+  std::vector<Target> targets = {};     ///< those of the scene, where there is one, then those that were set
+  sigmascape::render::Frame last = {};  ///< that was drawn
 };
 
 struct sigmascape_receiver {
   LiveReceiver receiver;
-  std::uint64_t heard = 0;  ///< number of the last frame that it has heard; 0: none
 };
 
 namespace {
-
-constexpr std::size_t everything = std::numeric_limits<std::size_t>::max();
 
 thread_local std::string last_error;
 
@@ -295,34 +281,13 @@ KeptGround ground_from(const sigmascape_ground* ground, const sigmascape_scene* 
       [traced = scene->scene](sigmascape::Vec2d place) { return traced->scene.terrain.height_at(place); });
 }
 
-/// Of all renderers together, from 1 on.
-std::uint64_t next_frame_number() {
-  static std::atomic<std::uint64_t> frames{0};
-  return ++frames;
-}
-
-/// Draws with whichever drawer the renderer has, and remembers what was drawn. What the drawer refuses leaves the bins
-/// to the last frame; of a call that breaks off otherwise nothing in them is to be heard.
+/// Draws with whichever drawer the renderer has.
 template <typename Draw>
-const sigmascape::render::Frame& drawn(sigmascape_renderer& renderer, const sigmascape::render::Pose& pose,
-                                       std::size_t first_beam, std::size_t count, Draw draw) {
-  const DrawnFrame before = std::exchange(renderer.last, {});
-  try {
-    renderer.last.frame = renderer.flight   ? draw(*renderer.flight)
-                          : renderer.tracer ? draw(*renderer.tracer)
-                                            : draw(*renderer.renderer);
-  } catch (const sigmascape::Error&) {
-    renderer.last = before;
-    throw;
-  }
-  DrawnFrame& last = renderer.last;
-  last.pose = pose;
-  last.pose.targets = {};
-  last.first_beam = first_beam;
-  last.count = count;
-  last.before = before.number;
-  last.number = next_frame_number();
-  return last.frame;
+const sigmascape::render::Frame& drawn(sigmascape_renderer& renderer, Draw draw) {
+  renderer.last = renderer.flight   ? draw(*renderer.flight)
+                  : renderer.tracer ? draw(*renderer.tracer)
+                                    : draw(*renderer.renderer);
+  return renderer.last;
 }
 
 void copy(const sigmascape::render::HeardPower& from, sigmascape_heard& to) {
@@ -509,8 +474,7 @@ int sigmascape_render(sigmascape_renderer* renderer, const sigmascape_pose* pose
     (void)given(renderer, "renderer");
     (void)given(frame, "frame");
     const auto wanted = pose_from(given(pose, "pose"), *renderer);
-    copy(drawn(*renderer, wanted, 0, everything,
-               [&](auto& drawer) -> const sigmascape::render::Frame& { return drawer.render(wanted); }),
+    copy(drawn(*renderer, [&](auto& drawer) -> const sigmascape::render::Frame& { return drawer.render(wanted); }),
          *frame);
     return 0;
   });
@@ -523,7 +487,7 @@ int sigmascape_scan(sigmascape_renderer* renderer, const sigmascape_pose* pose, 
     (void)given(frame, "frame");
     const auto wanted = pose_from(given(pose, "pose"), *renderer);
     copy(
-        drawn(*renderer, wanted, first_beam, count,
+        drawn(*renderer,
               [&](auto& drawer) -> const sigmascape::render::Frame& { return drawer.scan(wanted, first_beam, count); }),
         *frame);
     return 0;
@@ -548,16 +512,7 @@ int sigmascape_hear(sigmascape_receiver* receiver, const sigmascape_renderer* re
   return guarded(1, [&] {
     (void)given(receiver, "receiver");
     (void)given(heard, "heard");
-    const DrawnFrame& last = given(renderer, "renderer").last;
-    if (last.number == 0)
-      throw sigmascape::Error("renderer", "holds no frame, for it has drawn nothing yet or could not end its last one",
-                              "call sigmascape_render or sigmascape_scan first");
-    const bool is_next = receiver->heard != 0 && receiver->heard == last.before;
-    receiver->heard = 0;
-    copy(is_next ? receiver->receiver.hear(last.frame, last.pose, last.first_beam, last.count)
-                 : receiver->receiver.hear(last.frame, last.pose),
-         *heard);
-    receiver->heard = last.number;
+    copy(receiver->receiver.hear(given(renderer, "renderer").last), *heard);
     return 0;
   });
 }

@@ -216,14 +216,12 @@ typedef struct sigmascape_heard {
   double first_range_m, range_step_m;      /* near edge of range bin 0, and from bin to bin */
 } sigmascape_heard;
 
-/* What a radar hears of the renderer's last frame, targets and all, from where it was drawn. After sigmascape_scan only
- * what its step changes is made anew, some beams to either side of it among it, if the receiver has heard the
- * renderer's frame before that; else all beams are, from where the last step was drawn, although the others were drawn
- * from where the radar was then. Hear every step of a scan, then, and leave first_azimuth_rad and first_range_m while
- * it goes on: targets of beams that lie elsewhere now may be lost. The array lives until the next call with this
- * receiver, and the renderer is not to draw meanwhile. Returns 0 when all went well, and otherwise leaves `heard`: for
- * a renderer that has drawn nothing yet or broke off its last frame, and for a radar whose frequency is more than 1 %
- * from that of the frame. */
+/* What a radar hears of the renderer's last frame, targets and all, every beam from where it was drawn. Only beams that
+ * were drawn since this receiver heard last are made anew, and some to either side of them; all of another renderer's.
+ * Leave first_azimuth_rad and first_range_m while a scan goes on: targets of beams that lie elsewhere now may be lost.
+ * The array lives until the next call with this receiver, and the renderer is not to draw meanwhile. Returns 0 when all
+ * went well, and otherwise leaves `heard`: for a renderer that has drawn nothing yet or broke off its last frame, and
+ * for a radar whose frequency is more than 1 % from that of the frame. */
 int sigmascape_hear(sigmascape_receiver* receiver, const sigmascape_renderer* renderer, sigmascape_heard* heard);
 
 #ifdef __cplusplus

@@ -22,6 +22,11 @@ namespace sigmascape::radar {
           std::max(r.north_m, point.y)};
 }
 
+/// The least rectangle that holds two.
+[[nodiscard]] constexpr Rectangle joined(const Rectangle& a, const Rectangle& b) {
+  return with_point(with_point(a, {b.west_m, b.south_m}), {b.east_m, b.north_m});
+}
+
 /// What two rectangles have in common: one whose east lies west of its west, or north south, where that is nothing.
 [[nodiscard]] constexpr Rectangle common_part(const Rectangle& a, const Rectangle& b) {
   return {std::max(a.west_m, b.west_m), std::max(a.south_m, b.south_m), std::min(a.east_m, b.east_m),

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <ranges>
 #include <span>
 #include <tuple>
@@ -11,8 +12,10 @@
 #include "sigmascape/base/error.h"
 #include "sigmascape/radar/echo.h"
 #include "sigmascape/radar/radar_title.h"
+#include "sigmascape/radar/rectangle_parts.h"
 #include "sigmascape/receiver/response_spread.h"
 #include "sigmascape/receiver/target_echoes.h"
+#include "sigmascape/render/frame_power.h"
 #include "sigmascape/render/frame_reach.h"
 #include "sigmascape/render/ground_along.h"
 #include "sigmascape/render/ground_hearing.h"
@@ -24,8 +27,9 @@ namespace {
 
 constexpr std::size_t most_nodes_a_side = 2048;
 
-radar::RangeAzimuthImage dark_image(const Frame& frame, const Pose& pose) {
-  return {frame.grid, pose.position, Array2D<radar::Channels>(frame.grid.azimuths, frame.grid.ranges)};
+radar::RangeAzimuthImage dark_image(const Frame& frame) {
+  check_holds(frame, "image of a live frame");
+  return {frame.grid, drawn_last(frame.beams).radar, Array2D<radar::Channels>(frame.grid.azimuths, frame.grid.ranges)};
 }
 
 /// Puts `put(beam, range)` into every bin, for some beams together: they lie side by side in an image, and in a
@@ -60,11 +64,11 @@ std::vector<radar::Echo> echoes_of(const receiver::TargetsApart& targets) {
   return echoes;
 }
 
-/// `weigh(hearing, azimuth_rad, weights)` says how strongly the ground along an azimuth is heard.
+/// `weigh(hearing, beam, weights)` says how strongly the ground of a beam is heard.
 template <typename Weigh>
-radar::RangeAzimuthImage heard_image(const Frame& frame, const Pose& pose, const radar::Radar& radar, Weigh&& weigh) {
+radar::RangeAzimuthImage heard_image(const Frame& frame, const radar::Radar& radar, Weigh&& weigh) {
   check_frequency(frame, radar);
-  radar::RangeAzimuthImage image = dark_image(frame, pose);
+  radar::RangeAzimuthImage image = dark_image(frame);
   const radar::RangeAzimuthGrid& grid = image.grid;
   const GroundHearing hearing(radar, grid);
   Array2D<radar::Channels> heard(grid.ranges, grid.azimuths);
@@ -73,7 +77,7 @@ radar::RangeAzimuthImage heard_image(const Frame& frame, const Pose& pose, const
   for (std::size_t beam = 0; beam < grid.azimuths; ++beam) {
     ground_of_beam(
         frame, beam, [](const radar::Channels& bin) { return bin; }, std::span(held));
-    weigh(hearing, middle_rad(grid, beam), std::span(weights));
+    weigh(hearing, beam, std::span(weights));
     hearing.hear<radar::Channels>(held, weights, heard.row(beam));
   }
   for_each_bin(image, [&](std::size_t beam, std::size_t range) { return heard(range, beam); });
@@ -83,48 +87,54 @@ radar::RangeAzimuthImage heard_image(const Frame& frame, const Pose& pose, const
   return image;
 }
 
-radar::RangeAzimuthImage image_of_even_antenna(const Frame& frame, const Pose& pose, const radar::Radar& radar) {
-  return heard_image(frame, pose, radar, [](const GroundHearing& hearing, double, std::span<float> weights) {
+radar::RangeAzimuthImage image_of_even_antenna(const Frame& frame, const radar::Radar& radar) {
+  return heard_image(frame, radar, [](const GroundHearing& hearing, std::size_t, std::span<float> weights) {
     hearing.weigh_evenly(weights);
   });
 }
 
 }  // namespace
 
-radar::RangeAzimuthImage image_of(const Frame& frame, const Pose& pose) {
-  radar::RangeAzimuthImage image = dark_image(frame, pose);
+radar::RangeAzimuthImage image_of(const Frame& frame) {
+  radar::RangeAzimuthImage image = dark_image(frame);
   for_each_bin(image, [&](std::size_t beam, std::size_t range) {
     return power_of_bin(frame, beam * frame.grid.ranges + range);
   });
   return image;
 }
 
-radar::RangeAzimuthImage image_of(const Frame& frame, const Pose& pose, const radar::Radar& radar) {
+radar::RangeAzimuthImage image_of(const Frame& frame, const radar::Radar& radar) {
   if (!radar::antenna_pattern(radar).elevation().even()) {
     throw Error(radar::title_of(radar), "has an antenna that tells elevations apart, which bins do not",
                 "give the ground that they lie on too (render::ground_below), or an antenna that is even in elevation");
   }
-  return image_of_even_antenna(frame, pose, radar);
+  return image_of_even_antenna(frame, radar);
 }
 
-radar::RangeAzimuthImage image_of(const Frame& frame, const Pose& pose, const radar::Radar& radar,
-                                  const GroundHeight& ground) {
-  if (radar::antenna_pattern(radar).elevation().even()) return image_of_even_antenna(frame, pose, radar);
-  return heard_image(frame, pose, radar,
-                     [&](const GroundHearing& hearing, double azimuth_rad, std::span<float> weights) {
-                       GroundAlong along(pose.position, azimuth_rad, last_range_m(frame.grid), ground, frame.earth);
-                       hearing.weigh([&](double range_m) { return along.sin_depression(range_m); }, weights);
-                     });
+radar::RangeAzimuthImage image_of(const Frame& frame, const radar::Radar& radar, const GroundHeight& ground) {
+  if (radar::antenna_pattern(radar).elevation().even()) return image_of_even_antenna(frame, radar);
+  return heard_image(frame, radar, [&](const GroundHearing& hearing, std::size_t beam, std::span<float> weights) {
+    if (frame.beams[beam].drawing == 0) return;
+    GroundAlong along(frame.beams[beam].radar, middle_rad(frame.grid, beam), last_range_m(frame.grid), ground,
+                      frame.earth);
+    hearing.weigh([&](double range_m) { return along.sin_depression(range_m); }, weights);
+  });
 }
 
-GroundHeight ground_below(const Frame& frame, const Pose& pose, const LiveGround& ground) {
+GroundHeight ground_below(const Frame& frame, const LiveGround& ground) {
+  check_holds(frame, "ground below a live frame");
   const radar::RangeAzimuthGrid& grid = frame.grid;
-  const double width_rad = static_cast<double>(grid.azimuths) * grid.azimuth_step_rad;
-  const Vec2d foot{pose.position.x, pose.position.y};
-  const double far_m = farthest_ground_m(frame.earth, last_range_m(grid));
-  const radar::Rectangle seen = ground_under(foot, grid.first_azimuth_rad, width_rad, {0.0, far_m});
+  const FrameReach reach{0.0, farthest_ground_m(frame.earth, last_range_m(grid))};
+  std::optional<radar::Rectangle> seen;
+  for (std::size_t beam = 0; beam < grid.azimuths; ++beam) {
+    const auto& [radar, drawing] = frame.beams[beam];
+    if (drawing == 0) continue;
+    const double left_rad = grid.first_azimuth_rad + static_cast<double>(beam) * grid.azimuth_step_rad;
+    const radar::Rectangle below = ground_under({radar.x, radar.y}, left_rad, grid.azimuth_step_rad, reach);
+    seen = seen ? radar::joined(*seen, below) : below;
+  }
   const auto window = std::make_shared<const terrain::TerrainWindow>(
-      ground.terrain().window_over(seen, grid.range_step_m, most_nodes_a_side).nodes);
+      ground.terrain().window_over(*seen, grid.range_step_m, most_nodes_a_side).nodes);
   return [window, view = window->view()](Vec2d place) { return terrain::height_at(view, place); };
 }
 

@@ -2,15 +2,15 @@
 
 #include "sigmascape/radar/radar.h"
 #include "sigmascape/radar/range_azimuth_image.h"
-#include "sigmascape/render/frame_power.h"
+#include "sigmascape/render/frame.h"
 #include "sigmascape/render/ground_height.h"
-#include "sigmascape/render/live_renderer.h"
+#include "sigmascape/render/live_ground.h"
 
 namespace sigmascape::render {
 
 /// A frame as the image that pictures, scopes and ground maps are made from: powers as they are, of amplitudes their
-/// squares. `pose` is the frame's.
-[[nodiscard]] radar::RangeAzimuthImage image_of(const Frame& frame, const Pose& pose);
+/// squares. Its radar is where the beam was drawn from that was drawn last. Throws Error as `check_holds` does.
+[[nodiscard]] radar::RangeAzimuthImage image_of(const Frame& frame);
 
 /// The same as a radar hears it, with its compressed pulse and its beam laid over the bins, by the responses of offline
 /// maps (receiver/bin_response.h): what receiver::received_power takes. A target has the watts of the radar equation
@@ -29,16 +29,16 @@ namespace sigmascape::render {
 /// amplitudes, whose speckle is then weaker than in one pulse. Throws Error for a radar whose frequency is more than
 /// a hundredth from the frame's, and for an antenna that tells elevations apart: bins alone do not say how far below
 /// the radar their ground is.
-[[nodiscard]] radar::RangeAzimuthImage image_of(const Frame& frame, const Pose& pose, const radar::Radar& radar);
+[[nodiscard]] radar::RangeAzimuthImage image_of(const Frame& frame, const radar::Radar& radar);
 
 /// The same for any antenna: each bin has its two-way gain in elevation, relative to its peak, towards the ground in
-/// the middle of the bin (docs/physics/receiver.md), over the frame's Earth (Frame::earth), and each target the one
-/// towards itself.
-[[nodiscard]] radar::RangeAzimuthImage image_of(const Frame& frame, const Pose& pose, const radar::Radar& radar,
+/// the middle of the bin (docs/physics/receiver.md), from where the beam was drawn (Frame::beams) and over the frame's
+/// Earth (Frame::earth), and each target the one towards itself.
+[[nodiscard]] radar::RangeAzimuthImage image_of(const Frame& frame, const radar::Radar& radar,
                                                 const GroundHeight& ground);
 
 /// The ground that the bins of a frame lie on, as finely as they tell it apart and four million nodes hold it. Reads
-/// tiles: nothing for the time between two frames.
-[[nodiscard]] GroundHeight ground_below(const Frame& frame, const Pose& pose, const LiveGround& ground);
+/// tiles: nothing for the time between two frames. Throws Error as `check_holds` does.
+[[nodiscard]] GroundHeight ground_below(const Frame& frame, const LiveGround& ground);
 
 }  // namespace sigmascape::render

@@ -4,7 +4,7 @@
 
 #include "sigmascape/radar/channels.h"
 #include "sigmascape/radar/complex_channels.h"
-#include "sigmascape/render/live_renderer.h"
+#include "sigmascape/render/frame.h"
 
 namespace sigmascape::render {
 

@@ -5,6 +5,7 @@
 
 #include "sigmascape/base/units.h"
 #include "sigmascape/radar/distance_of_range.h"
+#include "sigmascape/radar/rectangle_parts.h"
 #include "sigmascape/render/sector.h"
 
 namespace sigmascape::render {
@@ -72,9 +73,7 @@ radar::Rectangle ground_under(Vec2d radar, double first_azimuth_rad, double widt
   radar::Rectangle box{1e300, 1e300, -1e300, -1e300};
   for (int part = 0; part < parts; ++part) {
     const Sector sector(first_azimuth_rad + width_rad * part / parts, width_rad / parts, reach.near_m, reach.far_m);
-    const radar::Rectangle bounds = sector.bounds();
-    box = {std::min(box.west_m, bounds.west_m), std::min(box.south_m, bounds.south_m),
-           std::max(box.east_m, bounds.east_m), std::max(box.north_m, bounds.north_m)};
+    box = radar::joined(box, sector.bounds());
   }
   return {radar.x + box.west_m, radar.y + box.south_m, radar.x + box.east_m, radar.y + box.north_m};
 }

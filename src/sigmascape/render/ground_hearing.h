@@ -11,8 +11,8 @@
 #include "sigmascape/radar/range_azimuth_image.h"
 #include "sigmascape/receiver/echo_places.h"
 #include "sigmascape/receiver/targets_by_beam.h"
+#include "sigmascape/render/frame.h"
 #include "sigmascape/render/frame_power.h"
-#include "sigmascape/render/live_renderer.h"
 
 namespace sigmascape::render {
 

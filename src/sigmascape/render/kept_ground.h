@@ -35,8 +35,12 @@ class KeptGround {
   /// Makes sure of all places that ground of the ranges of a grid, seen from a place, can lie at. Reads tiles where it
   /// has to take another window, and where it looks after those that it lacks.
   void cover(const radar::RangeAzimuthGrid& grid, Vec2d radar, const radar::CurvedEarth& earth);
+  /// Whether the window at hand has all these places.
+  [[nodiscard]] bool covers(const radar::RangeAzimuthGrid& grid, Vec2d radar, const radar::CurvedEarth& earth) const;
   /// Windows that have been taken: heights that were asked for with as many before are those of now.
   [[nodiscard]] std::uint64_t windows() const { return windows_; }
+  /// Whether heights that were asked for with as many windows may have been those of coarser tiles that stood in.
+  [[nodiscard]] bool knows_better(std::uint64_t windows) const { return windows < first_better_window_; }
 
   /// Calls `use` with a function of a place that gives the height of the ground there.
   template <typename Use>
@@ -49,6 +53,13 @@ class KeptGround {
   }
 
  private:
+  /// What a pose's bins look at, and how.
+  struct View {
+    radar::Rectangle seen;
+    double margin_m = 0.0, node_m = 0.0;
+  };
+  [[nodiscard]] static View view_of(const radar::RangeAzimuthGrid& grid, Vec2d radar, const radar::CurvedEarth& earth);
+  [[nodiscard]] bool covers(const View& view) const;
   /// Whether some of what the window lacks can be had by now, as far as it is time to ask.
   [[nodiscard]] bool is_out_of_date();
 
@@ -60,6 +71,7 @@ class KeptGround {
   radar::Rectangle covered_{};
   double node_m_ = 0.0;  // that was asked for
   std::uint64_t windows_ = 0;
+  std::uint64_t first_better_window_ = 0;  // after the last one that lacked tiles
 };
 
 }  // namespace sigmascape::render

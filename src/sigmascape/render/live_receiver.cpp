@@ -17,6 +17,8 @@ namespace {
 
 /// A gain in elevation takes as long as so many products in a response.
 constexpr std::size_t operations_to_weigh = 500;
+/// No beam that is heard has that number.
+constexpr std::uint64_t never_heard = DrawnBeam::unfinished;
 
 }  // namespace
 
@@ -59,37 +61,23 @@ LiveReceiver::LiveReceiver(radar::Radar radar, radar::Polarization polarization,
   scratch_.resize(team_.size());
 }
 
-const HeardPower& LiveReceiver::hear(const Frame& frame, const Pose& pose) {
-  return hear(frame, pose, 0, frame.grid.azimuths);
-}
-
-const HeardPower& LiveReceiver::hear(const Frame& frame, const Pose& pose, std::size_t first_beam, std::size_t count) {
-  check_step(first_beam, count, frame.grid.azimuths);
+const HeardPower& LiveReceiver::hear(const Frame& frame) {
+  check_holds(frame, "live receiver");
   check_frequency(frame, radar_);
-  check(pose, "heard frame");
-  Beams step{first_beam, std::min(count, frame.grid.azimuths - first_beam)};
   if (!has_bins_ || frame.grid != grid_) {
     has_bins_ = false;
     take_bins(frame.grid);
-    step = {0, frame.grid.azimuths};
   }
-  const bool elevations = responses_->ground.places().tell_elevations_apart();
-  if (elevations) ground_.cover(grid_, {pose.position.x, pose.position.y}, frame.earth);
-  has_bins_ = false;  // until all beams of the step are as they should be
-
-  const std::size_t taps_along = responses_->along.weights.size(), taps_across = responses_->across.weights.size();
-  const WeighedFrom from = here(frame, pose);
-  const bool weighs = elevations && std::ranges::any_of(std::span(weighed_from_).subspan(step.first, step.count),
-                                                        [&](const auto& before) { return before != from; });
-  run(step.count, grid_.ranges * (taps_along + (weighs ? operations_to_weigh : 0)),
-      [&](std::size_t index, Scratch& scratch) {
-        const std::size_t beam = step.first + index;
-        if (weighs) weigh(frame, from, beam);
-        hear_ground(frame, beam, scratch);
-      });
-  const Beams changed = with_beside(step, std::max(responses_->ground_reach(), responses_->target_reach()));
+  has_bins_ = false;  // until all beams that were drawn are as they should be
+  if (responses_->ground.places().tell_elevations_apart()) {
+    const Vec3d radar = drawn_last(frame.beams).radar;
+    ground_.cover(grid_, {radar.x, radar.y}, frame.earth);
+  }
+  const Beams drawn = drawn_since(frame);
+  hear_ground(frame, drawn);
+  const Beams changed = with_beside(drawn, std::max(responses_->ground_reach(), responses_->target_reach()));
   place_targets(frame, with_beside(changed, responses_->target_reach()));
-  run(changed.count, grid_.ranges * taps_across,
+  run(changed.count, grid_.ranges * responses_->across.weights.size(),
       [&](std::size_t index, Scratch& scratch) { lay_over(frame, (changed.first + index) % grid_.azimuths, scratch); });
   heard_.grid = grid_;
   heard_.signal_w = *signal_w_;
@@ -97,6 +85,72 @@ const HeardPower& LiveReceiver::hear(const Frame& frame, const Pose& pose, std::
   heard_.changed = changed.count;
   has_bins_ = true;
   return heard_;
+}
+
+LiveReceiver::Beams LiveReceiver::drawn_since(const Frame& frame) const {
+  const std::size_t all = grid_.azimuths;
+  const auto is_new = [&](std::size_t beam) {
+    return heard_drawings_[beam] != frame.beams[beam].drawing ||
+           (weighed_from_[beam] && ground_.knows_better(weighed_from_[beam]->window));
+  };
+  std::size_t first = 0;
+  while (first < all && !is_new(first)) ++first;
+  if (first == all) return {};
+  if (!grid_.goes_round()) {
+    std::size_t last = all - 1;
+    while (!is_new(last)) --last;
+    return {first, last - first + 1};
+  }
+  // All beams of the turn but the longest row of those that have been heard.
+  Beams drawn{first, all};
+  std::size_t heard = 0;
+  for (std::size_t step = 1; step <= all; ++step) {
+    const std::size_t beam = (first + step) % all;
+    if (!is_new(beam)) {
+      ++heard;
+      continue;
+    }
+    if (all - heard < drawn.count) drawn = {beam, all - heard};
+    heard = 0;
+  }
+  return drawn;
+}
+
+LiveReceiver::Beams LiveReceiver::over_one_window(const Frame& frame, Beams beams) {
+  if (!responses_->ground.places().tell_elevations_apart()) return beams;
+  bool is_covered = false;
+  Vec3d covered;
+  std::size_t count = 0;
+  for (; count < beams.count; ++count) {
+    const auto& [radar, drawing] = frame.beams[(beams.first + count) % grid_.azimuths];
+    if (drawing == 0 || (is_covered && radar == covered)) continue;
+    if (is_covered && !ground_.covers(grid_, {radar.x, radar.y}, frame.earth)) break;
+    if (!is_covered) ground_.cover(grid_, {radar.x, radar.y}, frame.earth);
+    is_covered = true;
+    covered = radar;
+  }
+  return {beams.first, count};
+}
+
+bool LiveReceiver::is_to_be_weighed(const Frame& frame, std::size_t beam) const {
+  return responses_->ground.places().tell_elevations_apart() && frame.beams[beam].drawing != 0 &&
+         weighed_from_[beam] != weighed_from_now(frame, beam);
+}
+
+void LiveReceiver::hear_ground(const Frame& frame, Beams beams) {
+  while (beams.count > 0) {
+    const Beams together = over_one_window(frame, beams);
+    bool weighs = false;
+    for_each(together, [&](std::size_t beam) { weighs |= is_to_be_weighed(frame, beam); });
+    run(together.count, grid_.ranges * (responses_->along.weights.size() + (weighs ? operations_to_weigh : 0)),
+        [&](std::size_t index, Scratch& scratch) {
+          const std::size_t beam = (together.first + index) % grid_.azimuths;
+          if (is_to_be_weighed(frame, beam)) weigh(frame, beam);
+          hear_ground(frame, beam, scratch);
+          heard_drawings_[beam] = frame.beams[beam].drawing;
+        });
+    beams = {(beams.first + together.count) % grid_.azimuths, beams.count - together.count};
+  }
 }
 
 void LiveReceiver::take_bins(const radar::RangeAzimuthGrid& grid) {
@@ -116,6 +170,8 @@ void LiveReceiver::take_bins(const radar::RangeAzimuthGrid& grid) {
   watts_per_m2_.resize(grid.ranges);
   for (std::size_t range = 0; range < grid.ranges; ++range)
     watts_per_m2_[range] = places.is_within_gate(range) ? static_cast<float>(factors_[range]) : nan;
+  heard_drawings_.assign(grid.azimuths, never_heard);
+  weighed_from_.assign(grid.azimuths, std::nullopt);
   looked_at_.resize(grid.azimuths);
   for (std::size_t beam = 0; beam < grid.azimuths; ++beam)
     looked_at_[beam] = receiver::looked_at(radar_, grid, beam) ? 1 : 0;
@@ -127,7 +183,6 @@ void LiveReceiver::take_bins(const radar::RangeAzimuthGrid& grid) {
   dark_.resize(grid.azimuths);
   if (places.tell_elevations_apart()) {
     weights_.resize(bins);
-    weighed_from_.assign(grid.azimuths, std::nullopt);
   } else {
     weights_.resize(grid.ranges);
     responses_->ground.weigh_evenly(weights_);
@@ -141,6 +196,7 @@ void LiveReceiver::take_bins(const radar::RangeAzimuthGrid& grid) {
 
 LiveReceiver::Beams LiveReceiver::with_beside(Beams beams, std::size_t reach) const {
   const std::size_t all = grid_.azimuths;
+  if (beams.count == 0) return beams;
   if (!grid_.goes_round()) {
     const std::size_t first = beams.first - std::min(beams.first, reach);
     return {first, std::min(beams.first + beams.count + reach, all) - first};
@@ -159,8 +215,8 @@ std::span<const float> LiveReceiver::weights_of(std::size_t beam) const {
   return std::span(weights_).subspan(beam * grid_.ranges, grid_.ranges);
 }
 
-void LiveReceiver::weigh(const Frame& frame, const WeighedFrom& from, std::size_t beam) {
-  if (weighed_from_[beam] == from) return;
+void LiveReceiver::weigh(const Frame& frame, std::size_t beam) {
+  const WeighedFrom from = weighed_from_now(frame, beam);
   const auto weights = std::span(weights_).subspan(beam * grid_.ranges, grid_.ranges);
   ground_.with_height([&](const auto& height_m) {
     GroundAlong along(from.position, middle_rad(grid_, beam), last_range_m(grid_), height_m, frame.earth);

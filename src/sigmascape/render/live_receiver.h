@@ -16,9 +16,9 @@
 #include "sigmascape/receiver/echo_places.h"
 #include "sigmascape/receiver/placed_response_table.h"
 #include "sigmascape/receiver/receive_chain.h"
+#include "sigmascape/render/frame.h"
 #include "sigmascape/render/ground_hearing.h"
 #include "sigmascape/render/kept_ground.h"
-#include "sigmascape/render/live_renderer.h"
 
 namespace sigmascape::render {
 
@@ -38,19 +38,17 @@ struct HeardPower {
 /// The same for the receiver's detector and for pictures, of which it is a copy.
 [[nodiscard]] receiver::ReceivedPower received_power(const HeardPower& heard);
 
-/// What a radar hears of live frames, in watts: all beams, or step by step of its scan.
+/// What a radar hears of live frames, in watts: of whole frames, or step by step of a scan.
 ///
 ///     LiveReceiver receiver(radar, radar::Polarization::VV, ground);
-///     const HeardPower& heard = receiver.hear(renderer.scan(pose, first_beam, count), pose, first_beam, count);
+///     const HeardPower& heard = receiver.hear(renderer.scan(pose, first_beam, count));
 ///
 /// Watts are those of receiver::received_power of render::image_of with that radar, which says what they mean
-/// (frame_image.h; docs/physics/receiver.md, Eqs. (1), (3)). A step is heard in all beams that its own reach through
-/// the response of the antenna, some at either side, and steps of a turn come to the bytes of the frame as a whole.
-///
-/// Each beam's ground is weighed from where the radar was when the beam was last heard. Hear every step of a scan,
-/// then, as it is drawn: who hears all beams at once after steps that were not heard has them weighed from the last
-/// pose, although they were drawn from earlier ones, and of a radar that moves what is lit and what is heard no longer
-/// lie in one place. While a scan goes on first azimuth and first range of its poses stay, as for LiveRenderer::scan.
+/// (frame_image.h; docs/physics/receiver.md, Eqs. (1), (3)). Only beams that were drawn since the last time are heard
+/// anew, and those about them that the response of the antenna brings them into. Steps of a turn come to the bytes of
+/// the frame as a whole, and so do frames of which some steps were not heard: each beam's ground is weighed from where
+/// the radar was when the beam was drawn (Frame::beams). While a scan goes on first azimuth and first range of its
+/// poses stay, as for LiveRenderer::scan.
 ///
 /// Responses and memory are kept while bins stay as wide and as many as they are, gains in elevation while the radar
 /// stands still, and heights of the ground within some kilometres (KeptGround). The result does not depend on the
@@ -63,13 +61,10 @@ class LiveReceiver {
   /// thread. Throws Error for the sum of polarizations, and for an antenna that tells elevations apart without ground.
   LiveReceiver(radar::Radar radar, radar::Polarization polarization, KeptGround ground = {}, unsigned threads = 0);
 
-  /// All beams. `pose` is the frame's. Throws Error for a radar whose frequency is more than a hundredth from the
-  /// frame's.
-  const HeardPower& hear(const Frame& frame, const Pose& pose);
-  /// What changes by beams first … first + count − 1, after LiveRenderer::scan of these. All beams are heard instead
-  /// where there is nothing to change: the first time, and in a frame whose bins lie otherwise than those of the last.
-  /// Throws Error as `check_step` does and as above.
-  const HeardPower& hear(const Frame& frame, const Pose& pose, std::size_t first_beam, std::size_t count);
+  /// All that has changed since the last time: all beams the first time, of a frame whose bins lie otherwise or that
+  /// somebody else has drawn, and when tiles of the ground have come that were lacking. Throws Error as `check_holds`
+  /// does and for a radar whose frequency is more than a hundredth from the frame's.
+  const HeardPower& hear(const Frame& frame);
 
   [[nodiscard]] const radar::Radar& radar() const { return radar_; }
   [[nodiscard]] double noise_w() const { return heard_.noise_w; }
@@ -117,16 +112,24 @@ class LiveReceiver {
 
   /// Makes ready for bins of that grid.
   void take_bins(const radar::RangeAzimuthGrid& grid);
-  /// `count` beams about so many to both sides, as far as there are beams.
+  /// Some beams and so many to both sides, as far as there are beams.
   [[nodiscard]] Beams with_beside(Beams beams, std::size_t reach) const;
   /// Calls `body(beam)` for each; behind the last beam comes the first one.
   template <typename Body>
   void for_each(Beams beams, Body&& body) const;
   [[nodiscard]] std::span<const float> weights_of(std::size_t beam) const;
-  [[nodiscard]] WeighedFrom here(const Frame& frame, const Pose& pose) const {
-    return {pose.position, frame.earth.curvature_per_m(), ground_.windows()};
+  /// As few beams side by side as hold all that were drawn since they were heard, or whose ground is known better now.
+  [[nodiscard]] Beams drawn_since(const Frame& frame) const;
+  /// The first of some beams, as many as look at ground of one window, which is there then: all of them where heights
+  /// do not count.
+  [[nodiscard]] Beams over_one_window(const Frame& frame, Beams beams);
+  [[nodiscard]] WeighedFrom weighed_from_now(const Frame& frame, std::size_t beam) const {
+    return {frame.beams[beam].radar, frame.earth.curvature_per_m(), ground_.windows()};
   }
-  void weigh(const Frame& frame, const WeighedFrom& from, std::size_t beam);
+  /// Whether the gains in elevation of a beam are those of elsewhere.
+  [[nodiscard]] bool is_to_be_weighed(const Frame& frame, std::size_t beam) const;
+  void weigh(const Frame& frame, std::size_t beam);
+  void hear_ground(const Frame& frame, Beams beams);
   /// The ground of a beam with the response of the pulse.
   void hear_ground(const Frame& frame, std::size_t beam, Scratch& scratch);
   /// The echoes that beams hold.
@@ -156,6 +159,7 @@ class LiveReceiver {
   std::vector<double> factors_;                           // [range], W/m²
   std::vector<float> watts_per_m2_;                       // [range]; NaN where nothing is heard
   std::vector<std::uint8_t> looked_at_;                   // [beam]
+  std::vector<std::uint64_t> heard_drawings_;             // [beam]
   std::vector<float> weights_;                            // [beam][range], of an even antenna [range]
   std::vector<std::optional<WeighedFrom>> weighed_from_;  // [beam]
   std::vector<float> lines_;                              // [beam][range], m²: ground with the response of the pulse

@@ -172,13 +172,15 @@ LiveRenderer::LiveRenderer(std::shared_ptr<LiveGround> ground, const LiveSetting
                 .beams = settings.beams,
                 .ranges = settings.ranges,
                 .beam_step_rad = settings.beam_step_rad,
-                .range_step_m = settings.range_step_m}) {
+                .range_step_m = settings.range_step_m}),
+      beams_(settings.beams) {
   if (settings.visibility.method == VisibilityMethod::Rasterization && ground_->obstacles() != nullptr) {
     throw Error("live renderer", "is to draw terrain, but the atlas keeps apart what stands on it",
                 "take the horizon sweep, which knows obstacles, or bake with --shadows baked");
   }
   frame_.frequency_hz = ground_->frequency_hz();
   frame_.earth = {.refraction = settings.refraction};
+  frame_.beams = beams_.all();
   bins_.resize(settings.beams * settings.ranges * numbers_a_bin(settings.content));
   for (unsigned worker = 0; worker < team_.size(); ++worker)
     tasks_.push_back(std::make_unique<SectorTask>(
@@ -242,6 +244,10 @@ void LiveRenderer::fill(const Pose& pose, Beams beams) {
   find_visible_ground(there, pose, beams, levels);
   look_at_targets(pose, beams, levels);
   find_shadows_of_targets(pose);
+  beams_.begin(beams.first, beams.end - beams.first);
+  frame_.grid = bins_of(pose);
+  targets_.tell_apart(beams.first, beams.end - beams.first);
+  frame_.targets = targets_.apart();
   const std::size_t group = beams_together(settings_.beam_step_rad), first_group = beams.first / group;
   const std::size_t tasks = beams.end > beams.first ? (beams.end - 1) / group + 1 - first_group : 0;
   team_.run(tasks, [&](std::size_t index, unsigned worker) {
@@ -250,6 +256,7 @@ void LiveRenderer::fill(const Pose& pose, Beams beams) {
     tasks_[worker]->fill(pose, {first, end - first}, levels);
     add_targets(first, end - first);
   });
+  frame_.drawing = beams_.end(pose.position);
 
   wanted_.clear();
   for (const auto& task : tasks_) {
@@ -298,13 +305,16 @@ void LiveRenderer::prepare(const Pose& pose) {
   grid.drop_per_square_m = 0.5 * earth.curvature_per_m();
   for (VisibleGround& ground : visible_) ground.reset(grid, ground_->obstacles() != nullptr);
 
-  frame_.grid = {pose.first_range_m,     settings_.range_step_m,  settings_.ranges,
-                 pose.first_azimuth_rad, settings_.beam_step_rad, settings_.beams};
   if (settings_.content == FrameContent::Amplitudes) {
     frame_.amplitudes_m = {reinterpret_cast<const std::complex<float>*>(bins_.data()), bins_.size() / 2};
   } else {
     frame_.powers_m2 = bins_;
   }
+}
+
+radar::RangeAzimuthGrid LiveRenderer::bins_of(const Pose& pose) const {
+  return {pose.first_range_m,     settings_.range_step_m,  settings_.ranges,
+          pose.first_azimuth_rad, settings_.beam_step_rad, settings_.beams};
 }
 
 radar::Rectangle LiveRenderer::under(Beams beams, Vec3d radar, double near_m, double far_m) const {
@@ -446,8 +456,6 @@ void LiveRenderer::look_at_targets(const Pose& pose, Beams beams, const DetailBl
       [&](const receiver::TargetFrame::Seen& target) { return count.counted(target.beam, sight.part_seen(target)); },
       &team_);
   frame_.report.targets = count.seen_of(targets_.seen());
-  targets_.tell_apart(beams.first, beams.end - beams.first);
-  frame_.targets = targets_.apart();
 }
 
 void LiveRenderer::find_shadows_of_targets(const Pose& pose) {

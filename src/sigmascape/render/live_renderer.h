@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <complex>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -17,6 +16,8 @@
 #include "sigmascape/radar/target.h"
 #include "sigmascape/receiver/target_frame.h"
 #include "sigmascape/render/box_shadows.h"
+#include "sigmascape/render/drawn_beams.h"
+#include "sigmascape/render/frame.h"
 #include "sigmascape/render/level_of_detail.h"
 #include "sigmascape/render/live_ground.h"
 #include "sigmascape/render/terrain_sectors.h"
@@ -77,59 +78,9 @@ void check(const Pose& pose, const std::string& where);
 /// behind the last is of those that are there.
 void check_step(std::size_t first_beam, std::size_t count, std::size_t beams);
 
-/// What a frame cost and what it lacked.
-struct FrameReport {
-  std::size_t cells = 0;   ///< lattice cells looked at; where the atlas ends they are counted alone
-  std::size_t lit = 0;     ///< of them seen by the radar
-  std::size_t coarse = 0;  ///< of them shown from a coarser level than wanted, for the finer was not there yet
-  /// Others of them for which there was nothing, of the ground or of what stands on it: outside the atlas, or its two
-  /// coarsest levels are damaged.
-  std::size_t dark = 0;
-  std::size_t level = 0;  ///< of the textures, 0 the finest; of two in use that with more of the power
-  /// By how much the terrain that hides may be wrong, for tiles of it cannot be had, or were not there yet: then it is
-  /// taken to lie so much lower that no ground is hidden by what is not there. 0 when nothing was lacking.
-  double terrain_error_m = 0.0;
-  /// Tiles of what stands on the ground under all beams (256 × 256 squares each) that are coarser than the sweep's
-  /// steps, for finer ones were not there yet, cannot be had or are more than the budget holds: shadows are those of
-  /// several obstacles together. 0 when nothing was lacking, and where the textures hold the shadows.
-  std::size_t coarse_obstacles = 0;
-  std::size_t targets = 0;  ///< of those of the pose that stand in the bins and are seen, by a step's beams of a scan
-  /// By how much the radar lies below the ground, as far as the terrain that is there tells for sure: it sees little or
-  /// nothing then. 0 above it. A radar that is deeper than all terrain about it is refused. Beyond the terrain, where
-  /// the ground is not known, below the lowest of all that is, or below mean sea level where that is lower. 0 of a
-  /// traced frame.
-  double below_ground_m = 0.0;
-  /// How many beams a cell is wide at the nearest ground in the bins, where beams are narrowest: what is told apart
-  /// across them there is so much coarser than they are. 1 where none is narrower than a cell, 0 of a traced frame.
-  double beams_a_cell = 0.0;
-  /// Of a frame that was traced (simulate::LiveTracer): rays a cell that it is made of; 0 of one from textures.
-  std::uint64_t rays_per_cell = 0;
-  /// And the standard error of a bin's mean power, 10 lg(1 + s/P), in the median over the bins that answer to at
-  /// least half of the rays' passes; infinite while too few rays were sent to tell.
-  double median_error_db = 0.0;
-};
-
 /// Distances over the ground between which all that is in a frame's bins lies.
 struct FrameReach {
   double near_m = 0.0, far_m = 0.0;
-};
-
-/// A frame, valid until the next one.
-struct Frame {
-  radar::RangeAzimuthGrid grid;
-  /// [beam][range][VV, HH, HV, VH], metres: |a|² is a cross-section in m², and the phase that of the way out and back,
-  /// −4π r/λ, which falls as range r grows. Empty when powers were asked for.
-  std::span<const std::complex<float>> amplitudes_m;
-  /// [beam][range][VV, HH, HV, Re VV·HH*], m². Empty when amplitudes were asked for.
-  std::span<const float> powers_m2;
-  FrameReport report;
-  /// Of the ground and the targets that answer: what a radar's is held against (render::image_of); 0 of a frame that
-  /// nobody has said it of.
-  double frequency_hz = 0.0;
-  /// On which ranges and depressions are reckoned: LiveSettings::refraction.
-  radar::CurvedEarth earth = {};
-  /// What of it targets are: their echoes, each from its own place, and what the bins held before.
-  receiver::TargetsApart targets = {};
 };
 
 /// The live radar picture of a wide area: hand it a pose, get what the receiver has in its bins.
@@ -149,8 +100,8 @@ class LiveRenderer {
   /// terrain that it is over, and then leaves the frame as it was.
   const Frame& render(const Pose& pose);
   /// Beams first … first + count − 1 anew, the others as they were: one step of a scanning antenna. Theirs is the pose
-  /// with which they were drawn, although the frame's grid is that of the last one: an antenna turns by its beams,
-  /// while first_azimuth_rad and first_range_m stay. Throws Error as `check_step` does and as `render` does.
+  /// with which they were drawn (Frame::beams), although the frame's grid is that of the last one: an antenna turns by
+  /// its beams, while first_azimuth_rad and first_range_m stay. Throws Error as `check_step` does and as `render` does.
   const Frame& scan(const Pose& pose, std::size_t first_beam, std::size_t count);
 
  private:
@@ -196,6 +147,7 @@ class LiveRenderer {
   [[nodiscard]] const HorizonGrid& grid() const { return visible_[0].horizon().grid(); }
   /// Of the terrain, for a level of the textures.
   [[nodiscard]] int terrain_level(std::size_t level) const;
+  [[nodiscard]] radar::RangeAzimuthGrid bins_of(const Pose& pose) const;
   /// The ground between two distances under those beams.
   [[nodiscard]] radar::Rectangle under(Beams beams, Vec3d radar, double near_m, double far_m) const;
   [[nodiscard]] Beams beams_of(std::size_t sector) const {
@@ -227,6 +179,7 @@ class LiveRenderer {
   BoxShadows shadows_;
   DetailTransition transition_;
   int last_level_ = 0;
+  DrawnBeams beams_;
   std::vector<float> bins_;                         // [beam][range][number]
   std::vector<std::unique_ptr<SectorTask>> tasks_;  // one a worker
   std::vector<PageKey> wanted_;                     // by all of them

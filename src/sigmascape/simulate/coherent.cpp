@@ -266,11 +266,6 @@ Vec2d away_from_track(const radar::Rectangle& area, Vec3d position, Vec3d direct
   return abeam * (side / length(abeam));
 }
 
-radar::Rectangle joined(const radar::Rectangle& a, const radar::Rectangle& b) {
-  return {std::min(a.west_m, b.west_m), std::min(a.south_m, b.south_m), std::max(a.east_m, b.east_m),
-          std::max(a.north_m, b.north_m)};
-}
-
 std::size_t pulses_in(const radar::Radar& radar, const CoherentSettings& settings) {
   if (!(settings.interval_s > 0.0 && settings.interval_s <= 1e4))
     throw Error("coherent interval", fmt::format("is {:g} s", settings.interval_s), "give more than 0, up to 10000 s");

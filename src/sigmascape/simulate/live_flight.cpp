@@ -49,9 +49,11 @@ LiveFlight::LiveFlight(const scene::Scene& scene, const trace::SceneGeometry& ge
       renderer_(ground_, settings),
       beams_(settings.beams),
       numbers_a_beam_(4 * settings.ranges),
+      drawn_(settings.beams),
       targets_(settings.ranges) {
   frame_.frequency_hz = ground_->frequency_hz();
   frame_.earth = {.refraction = settings.refraction};
+  frame_.beams = drawn_.all();
   if (settings.content == render::FrameContent::Amplitudes)
     amplitudes_m_.resize(beams_ * numbers_a_beam_);
   else
@@ -65,7 +67,8 @@ const render::Frame& LiveFlight::render(const render::Pose& pose) {
   } else if (textured_share_ == 1.0) {
     frame_ = renderer_.render(pose);
   } else {
-    // What it refuses is refused before anything is traced into the bins that the last frame may lie in.
+    // Either may refuse, and has the other's frame then if the last one lies there.
+    keep();
     const render::Frame& textured = renderer_.render(pose);
     blend(tracer_.render(pose), textured, {0, beams_ * numbers_a_beam_});
   }
@@ -106,6 +109,7 @@ void LiveFlight::choose(const render::Pose& pose) {
 }
 
 void LiveFlight::blend(const render::Frame& traced, const render::Frame& textured, Part part) {
+  begin_beams(part);
   frame_.grid = traced.grid;
   frame_.report = textured_share_ < 0.5 ? traced.report : textured.report;
   const auto& [first, count] = part;
@@ -120,6 +124,8 @@ void LiveFlight::blend(const render::Frame& traced, const render::Frame& texture
   }
   target_blend_.blend(traced, textured, textured_share_, first / numbers_a_beam_, count / numbers_a_beam_, targets_);
   frame_.targets = targets_.all();
+  // Which was drawn after the other.
+  end_beams(traced);
 }
 
 void LiveFlight::copy_targets(const render::Frame& shown, Part part) {
@@ -132,6 +138,7 @@ void LiveFlight::copy_targets(const render::Frame& shown, Part part) {
 }
 
 void LiveFlight::copy(const render::Frame& shown, Part part) {
+  begin_beams(part);
   frame_.grid = shown.grid;
   frame_.report = shown.report;
   const auto first = static_cast<std::ptrdiff_t>(part.first);
@@ -140,6 +147,17 @@ void LiveFlight::copy(const render::Frame& shown, Part part) {
   else
     std::ranges::copy(shown.amplitudes_m.subspan(part.first, part.count), amplitudes_m_.begin() + first);
   copy_targets(shown, part);
+  end_beams(shown);
+}
+
+void LiveFlight::begin_beams(Part part) {
+  drawn_.begin(part.first / numbers_a_beam_, part.count / numbers_a_beam_);
+}
+
+void LiveFlight::end_beams(const render::Frame& shown) {
+  drawn_.end_as_in(shown.beams);
+  frame_.beams = drawn_.all();
+  frame_.drawing = shown.drawing;
 }
 
 void LiveFlight::keep() {
@@ -154,7 +172,12 @@ void LiveFlight::keep() {
     std::ranges::copy(frame_.amplitudes_m, amplitudes_m_.begin());
     frame_.amplitudes_m = amplitudes_m_;
   }
-  copy_targets(frame_, {0, beams_ * numbers_a_beam_});
+  const Part all{0, beams_ * numbers_a_beam_};
+  copy_targets(frame_, all);
+  // Nothing was shown yet where they lie here.
+  if (frame_.beams.data() == drawn_.all().data()) return;
+  begin_beams(all);
+  end_beams(frame_);
 }
 
 std::string LiveFlight::explained() const {

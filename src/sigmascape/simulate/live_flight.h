@@ -69,6 +69,9 @@ class LiveFlight {
   /// Both with their shares.
   void blend(const render::Frame& traced, const render::Frame& textured, Part part);
   void copy(const render::Frame& shown, Part part);
+  /// Their bins change, and hold what was shown then.
+  void begin_beams(Part part);
+  void end_beams(const render::Frame& shown);
   /// Takes the targets of what was shown over those beams.
   void copy_targets(const render::Frame& shown, Part part);
   /// Takes what was shown last, wherever it lies, for what the beams of a step are to be put into.
@@ -85,6 +88,7 @@ class LiveFlight {
   // What was shown last, unless it lies where the tracer or the renderer has it.
   std::vector<float> powers_m2_;
   std::vector<std::complex<float>> amplitudes_m_;
+  render::DrawnBeams drawn_;
   receiver::TargetsByBeam targets_;
   TargetBlend target_blend_;
   render::Frame frame_;

@@ -96,9 +96,11 @@ LiveTracer::LiveTracer(const scene::Scene& scene, const trace::SceneGeometry& ge
       tallest_m_(scene::tallest_object_m(scene)),
       occupied_(scene::occupied_extent(scene)),
       triangles_per_m2_(scene::triangles_per_m2(scene)),
+      drawn_(settings.beams),
       bins_(settings.beams * settings.ranges * render::numbers_a_bin(settings.content)) {
   frame_.frequency_hz = tracing_.frequency_hz;
   frame_.earth = {.refraction = settings_.refraction};
+  frame_.beams = drawn_.all();
 }
 
 LiveTracer::~LiveTracer() = default;
@@ -121,7 +123,7 @@ const render::Frame& LiveTracer::scan(const render::Pose& pose, std::size_t firs
   render::check_step(first_beam, count, settings_.beams);
   const Beams beams{first_beam, std::min(count, settings_.beams - first_beam)};
   std::vector<radar::ShadowBox> boxes = boxes_of(pose);
-  const bool goes_on = position_ == pose.position && frame_.grid == grid_of(settings_, pose) && boxes_ == boxes;
+  const bool goes_on = position_ == pose.position && grid_ == grid_of(settings_, pose) && boxes_ == boxes;
   // Of a call that is broken off nothing can be gone on with.
   position_.reset();
   if (!goes_on) begin(pose);
@@ -130,17 +132,20 @@ const render::Frame& LiveTracer::scan(const render::Pose& pose, std::size_t firs
     ground->add_passes((tracing_.rays_per_cell - 1) / rays_a_pass + 1, pose.targets, pose.moment.time_s);
   position_ = pose.position;
   boxes_ = std::move(boxes);
+  drawn_.begin(beams.first, beams.count);
+  frame_.grid = grid_;
   frame_.report = {};
   const std::size_t numbers_a_beam = settings_.ranges * render::numbers_a_bin(settings_.content);
   std::ranges::fill(std::span(bins_).subspan(beams.first * numbers_a_beam, beams.count * numbers_a_beam), 0.0F);
   if (ground != nullptr) show_ground(pose, *ground);
   add_targets(pose, beams);
+  frame_.drawing = drawn_.end(pose.position);
   return frame_;
 }
 
 void LiveTracer::begin(const render::Pose& pose) {
   steps_.clear();
-  frame_.grid = grid_of(settings_, pose);
+  grid_ = grid_of(settings_, pose);
   if (keeps_cells()) {
     frame_.amplitudes_m = {reinterpret_cast<const std::complex<float>*>(bins_.data()), bins_.size() / 2};
   } else {
@@ -191,7 +196,7 @@ std::unique_ptr<TracedGround> LiveTracer::made_ground(const render::Pose& pose, 
                                                    .geometry = geometry_,
                                                    .surfaces = surfaces_,
                                                    .radar = look_.radar,
-                                                   .bins = frame_.grid,
+                                                   .bins = grid_,
                                                    .first_beam = beams.first,
                                                    .beams = beams.count,
                                                    .rim_beams = rim_beams(look_, pose),

@@ -149,11 +149,13 @@ class LiveTracer {
 
   // Of the pose in hand.
   std::optional<Vec3d> position_;
+  radar::RangeAzimuthGrid grid_;
   Look look_;
   std::optional<int> lattice_level_;
   std::vector<radar::ShadowBox> boxes_;
   std::vector<Step> steps_;
 
+  render::DrawnBeams drawn_;
   std::vector<float> bins_;  // [beam][range][number]
   render::Frame frame_;
 };

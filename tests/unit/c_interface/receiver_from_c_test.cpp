@@ -86,7 +86,7 @@ TEST_F(ReceiverFromC, HearsWhatTheCppInterfaceHears) {
   const render::Frame& frame = render::settled_frame(renderer, *shared, from);
   const radar::Radar radar = radar::read_radar_file(radar_file(), radar::PlaceOfRadar::Optional).radar;
   render::LiveReceiver expected(radar, radar::Polarization::HH, shared);
-  const render::HeardPower& cpp = expected.hear(frame, from);
+  const render::HeardPower& cpp = expected.hear(frame);
   EXPECT_THAT(numbers(heard), testing::ElementsAreArray(cpp.signal_w));
   EXPECT_EQ(heard.noise_w, cpp.noise_w);
   EXPECT_EQ(heard.beams, view_.beams);
@@ -120,17 +120,18 @@ TEST_F(ReceiverFromC, StepsComeToTheWholeFrame) {
   sigmascape_heard whole;
   ASSERT_EQ(sigmascape_hear(at_once, renderer_, &whole), 0);
   EXPECT_EQ(numbers(heard), numbers(whole));
-  // Of one that has missed a step all is heard.
+  // Of one that has missed a step both are heard.
   ASSERT_EQ(sigmascape_scan(renderer_, &before, 0, 8, &frame), 0);
   ASSERT_EQ(sigmascape_scan(renderer_, &before, 8, 8, &frame), 0);
   ASSERT_EQ(sigmascape_hear(receiver, renderer_, &heard), 0);
-  EXPECT_EQ(heard.changed, view_.beams);
+  EXPECT_GT(heard.changed, 16U);
+  EXPECT_LT(heard.changed, view_.beams);
+  ASSERT_EQ(sigmascape_hear(at_once, renderer_, &whole), 0);
+  EXPECT_EQ(numbers(heard), numbers(whole));
   sigmascape_free_receiver(receiver);
   sigmascape_free_receiver(at_once);
 }
 
-// Whole frames and steps are numbered together: else some step would be taken for the next after the frame that was
-// heard.
 TEST_F(ReceiverFromC, StepsThatWereMissedAfterAWholeFrameAreHeard) {
   constexpr std::size_t whole_frames = 12, receivers = 24;
   const sigmascape_pose pose = said_in_c(view_.pose());
@@ -143,11 +144,18 @@ TEST_F(ReceiverFromC, StepsThatWereMissedAfterAWholeFrameAreHeard) {
     made.push_back(sigmascape_make_receiver(even_radar_file().c_str(), SIGMASCAPE_VV, nullptr, nullptr, 1));
     ASSERT_EQ(sigmascape_hear(made.back(), renderer_, &heard), 0) << sigmascape_last_error();
   }
-  ASSERT_EQ(sigmascape_scan(renderer_, &pose, 0, 8, &frame), 0);
+  sigmascape_pose beside = pose;
+  beside.position_m[0] += 100.0;
+  ASSERT_EQ(sigmascape_scan(renderer_, &beside, 0, 8, &frame), 0);
   for (std::size_t number = 0; number < receivers; ++number) {
     ASSERT_EQ(sigmascape_scan(renderer_, &pose, 32, 8, &frame), 0);
     ASSERT_EQ(sigmascape_hear(made[number], renderer_, &heard), 0);
-    EXPECT_EQ(heard.changed, view_.beams) << "missed steps: " << number + 1;
+    const std::vector<float> late = numbers(heard);
+    sigmascape_receiver* fresh =
+        sigmascape_make_receiver(even_radar_file().c_str(), SIGMASCAPE_VV, nullptr, nullptr, 1);
+    ASSERT_EQ(sigmascape_hear(fresh, renderer_, &heard), 0);
+    EXPECT_EQ(late, numbers(heard)) << "missed steps: " << number + 1;
+    sigmascape_free_receiver(fresh);
     sigmascape_free_receiver(made[number]);
   }
 }
@@ -189,7 +197,7 @@ TEST_F(ReceiverFromC, SaysWhyItCannotHear) {
   ASSERT_NE(receiver, nullptr) << sigmascape_last_error();
   sigmascape_heard heard = {};
   EXPECT_NE(sigmascape_hear(receiver, renderer_, &heard), 0);
-  EXPECT_THAT(sigmascape_last_error(), testing::HasSubstr("drawn nothing"));
+  EXPECT_THAT(sigmascape_last_error(), testing::HasSubstr("nothing has been drawn"));
   EXPECT_NE(sigmascape_hear(receiver, nullptr, &heard), 0);
   EXPECT_NE(sigmascape_hear(nullptr, renderer_, &heard), 0);
   settle(said_in_c(view_.pose()));

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <vector>
 
+#include "drawn_by_hand.h"
 #include "live_ground_example.h"
 
 #include "sigmascape/base/error.h"
@@ -37,17 +38,16 @@ class OneBin {
     powers_[(10 * 21 + 10) * 4] = static_cast<float>(power_m2);
     frame_.grid = {range_m - 10.5 * 10.0, 10.0, 21, -10.5 * 0.01, 0.01, 21};
     frame_.powers_m2 = powers_;
-    pose_.position = {0.0, 0.0, height_m};
+    drawn_.draw(frame_, {0.0, 0.0, height_m});
   }
   [[nodiscard]] const Frame& frame() const { return frame_; }
-  [[nodiscard]] const Pose& pose() const { return pose_; }
 
   /// By how much the beam's elevation weakens it, both ways.
   [[nodiscard]] double lost_db(const GroundHeight& ground, const radar::CurvedEarth& earth) const {
     Frame frame = frame_;
     frame.earth = earth;
     const auto peak = [&](const radar::Radar& radar) {
-      return static_cast<double>(image_of(frame, pose_, radar, ground).rcs_m2(10, 10).vv);
+      return static_cast<double>(image_of(frame, radar, ground).rcs_m2(10, 10).vv);
     };
     return db_from_linear(peak(radar_with(radar::GaussianBeam{})) / peak(radar_with(radar::EvenBeam{})));
   }
@@ -55,7 +55,7 @@ class OneBin {
  private:
   std::vector<float> powers_;
   Frame frame_;
-  Pose pose_;
+  DrawnByHand drawn_{21};
 };
 
 /// Twice 10 lg exp(−4 ln 2 (φ/θ)²).
@@ -98,7 +98,7 @@ class FineBins {
     frame_.grid = {middle_m - 0.5 * bins * bin_m, bin_m, bins, -0.005, 0.01, 1};
     frame_.earth = radar::CurvedEarth::flat();
     frame_.powers_m2 = powers_;
-    pose_.position = {0.0, 0.0, height_m};
+    drawn_.draw(frame_, {0.0, 0.0, height_m});
   }
   [[nodiscard]] double range_m(std::size_t bin) const {
     return frame_.grid.first_range_m + (static_cast<double>(bin) + 0.5) * bin_m;
@@ -110,7 +110,7 @@ class FineBins {
       radar.range_resolution_m = 0.01;
       radar.beam_width_rad = 1e-4;
       radar.antenna.tilt_rad = radians_from_deg(beam_tilt_deg);
-      return image_of(frame_, pose_, radar, ground);
+      return image_of(frame_, radar, ground);
     };
     const auto weighted = image(radar::GaussianBeam{}), even = image(radar::EvenBeam{});
     std::vector<double> lost;
@@ -127,7 +127,7 @@ class FineBins {
   static constexpr double bin_m = 5.0;
   std::vector<float> powers_;
   Frame frame_;
-  Pose pose_;
+  DrawnByHand drawn_{1};
 };
 
 /// Elevations of all ground due north that is as far away, over a flat Earth: where range passes it between steps of a
@@ -209,7 +209,7 @@ TEST(FrameImage, BinsAreWeightedAsOfflineMapsWeightEchoes) {
   const auto offline = receiver.image();
   Frame frame = bin.frame();
   frame.earth = radar::CurvedEarth::flat();
-  const auto live = image_of(frame, bin.pose(), radar, level(0.0));
+  const auto live = image_of(frame, radar, level(0.0));
   for (const auto& [beam, range] : {std::pair{10U, 10U}, {9U, 10U}, {10U, 12U}}) {
     EXPECT_NEAR(live.rcs_m2(beam, range).vv / offline.rcs_m2(beam, range).vv, 1.0F, 2e-3F) << beam << ", " << range;
   }
@@ -218,12 +218,12 @@ TEST(FrameImage, BinsAreWeightedAsOfflineMapsWeightEchoes) {
 TEST(FrameImage, AnAntennaThatTellsElevationsApartAsksForTheGround) {
   const OneBin bin(9000.0);
   try {
-    (void)image_of(bin.frame(), bin.pose(), radar_with(radar::GaussianBeam{}));
+    (void)image_of(bin.frame(), radar_with(radar::GaussianBeam{}));
     FAIL() << "bins do not say how far below the radar they are";
   } catch (const Error& error) {
     EXPECT_THAT(error.what(), testing::HasSubstr("ground_below"));
   }
-  EXPECT_NO_THROW((void)image_of(bin.frame(), bin.pose(), radar_with(radar::EvenBeam{})));
+  EXPECT_NO_THROW((void)image_of(bin.frame(), radar_with(radar::EvenBeam{})));
 }
 
 TEST(FrameImage, TheGroundBelowAFrameIsItsTerrain) {
@@ -237,7 +237,7 @@ TEST(FrameImage, TheGroundBelowAFrameIsItsTerrain) {
   const ExampleView view;
   LiveRenderer renderer(ground, view.settings(FrameContent::Powers));
   const Frame& frame = renderer.render(view.pose());
-  const GroundHeight below = ground_below(frame, view.pose(), *ground);
+  const GroundHeight below = ground_below(frame, *ground);
   for (const Vec2d way : {Vec2d{0.0, 0.0}, {217.0, -133.0}, {-300.0, 250.0}})
     EXPECT_NEAR(below(example.middle() + way), example.height_m(way), 1e-2) << way.x;
 }

@@ -6,6 +6,7 @@
 #include <ranges>
 #include <vector>
 
+#include "drawn_by_hand.h"
 #include "live_ground_example.h"
 
 #include "sigmascape/base/error.h"
@@ -77,7 +78,7 @@ class HeardFrame : public testing::Test {
     Pose pose = view_.pose();
     pose.targets = targets;
     const Frame& frame = settled_frame(renderer, *ground_, pose);
-    return image_of(frame, pose, radar, ground_below(frame, pose, *ground_));
+    return image_of(frame, radar, ground_below(frame, *ground_));
   }
 
   ScratchFolder folder_;
@@ -169,11 +170,11 @@ TEST_F(HeardFrameOverGround, EvenGroundHasTheWattsOfTheRadarEquationHoweverWideT
   const Pose pose = view_.pose();
   LiveRenderer renderer(ground_, settings());
   const Frame& frame = settled_frame(renderer, *ground_, pose);
-  const auto below = ground_below(frame, pose, *ground_);
+  const auto below = ground_below(frame, *ground_);
   for (const double along : bins_in_widths) {
     for (const double across : bins_in_widths) {
       const radar::Radar radar = radar_of_widths_a_bin(this->radar(), settings(), along, across);
-      const auto watts = receiver::received_power(radar, image_of(frame, pose, radar, below), radar::Polarization::VV);
+      const auto watts = receiver::received_power(radar, image_of(frame, radar, below), radar::Polarization::VV);
       double sum_w = 0.0, expected_w = 0.0;
       for (std::size_t range = 20; range + 20 < view_.ranges; ++range) {
         const double r_m = range_m(static_cast<double>(range) + 0.5), sigma0 = 0.1 * pose.position.z / r_m;
@@ -212,14 +213,14 @@ TEST_F(HeardFrameOverGround, ARadarOfAnotherFrequencyThanTheGroundIsRefused) {
   radar::Radar radar = this->radar();
   radar.frequency_hz = 3e9;
   try {
-    (void)image_of(frame, pose, radar);
+    (void)image_of(frame, radar);
     FAIL() << "the ground is of 10 GHz";
   } catch (const Error& error) {
     EXPECT_THAT(error.what(), testing::HasSubstr("3 GHz"));
     EXPECT_THAT(error.what(), testing::HasSubstr("10 GHz"));
   }
   radar.frequency_hz = 10.05e9;
-  EXPECT_NO_THROW((void)image_of(frame, pose, radar));
+  EXPECT_NO_THROW((void)image_of(frame, radar));
 }
 
 // A frame may reach so far that its ground lies half a beam lower over one Earth than over another.
@@ -236,7 +237,7 @@ TEST_F(HeardFrameOverGround, DepressionsAreThoseOfTheFramesOwnEarth) {
   const GroundHeight sea = [](Vec2d) { return 0.0; };
   radar::Radar even = radar;
   even.antenna.elevation = radar::EvenBeam{};
-  const auto weighted = image_of(frame, pose, radar, sea), unweighted = image_of(frame, pose, even);
+  const auto weighted = image_of(frame, radar, sea), unweighted = image_of(frame, even);
   // Law of cosines at the radar, between the middle of the Earth and the ground.
   const double radius_m = 0.1 * radar::CurvedEarth{}.mean_radius_m, r_m = range_m(32.5);
   const double centre_m = radius_m + pose.position.z;
@@ -291,11 +292,11 @@ TEST_F(HeardFrame, ATargetThatTwoStepsOfAScanShareIsHeardAsInOneFrame) {
   Pose pose = view_.pose();
   pose.targets = targets;
   LiveRenderer whole(ground_, settings()), scanning(ground_, settings());
-  const auto at_once = image_of(settled_frame(whole, *ground_, pose), pose, radar());
+  const auto at_once = image_of(settled_frame(whole, *ground_, pose), radar());
   const Frame* swept = &settled_frame(scanning, *ground_, pose);
   for (const std::size_t first : {0U, 16U, 32U, 48U})
     swept = &scanning.scan(pose, first, std::min(49U - first, std::size_t{16}));
-  const auto in_steps = image_of(*swept, pose, radar());
+  const auto in_steps = image_of(*swept, radar());
   for (std::size_t i = 0; i < at_once.rcs_m2.size(); ++i) {
     const auto expected = static_cast<double>(at_once.rcs_m2.values()[i].vv);
     ASSERT_NEAR(static_cast<double>(in_steps.rcs_m2.values()[i].vv), expected, 1e-5 * expected) << i;
@@ -309,7 +310,7 @@ TEST_F(HeardFrame, OfAScanEveryBeamHasTheEchoesOfItsOwnStep) {
   pose.targets = targets;
   LiveRenderer renderer(ground_, settings());
   settled_frame(renderer, *ground_, pose);
-  const auto peak = [&](const Frame& frame) { return image_of(frame, pose, radar()).rcs_m2(8, middle_range).vv; };
+  const auto peak = [&](const Frame& frame) { return image_of(frame, radar()).rcs_m2(8, middle_range).vv; };
   const float seen = peak(renderer.scan(pose, 0, 16));
   EXPECT_GT(seen, 0.0F);
   pose.targets = {};
@@ -342,7 +343,9 @@ class HeardBins : public testing::Test {
     Frame frame;
     frame.grid = grid_;
     frame.powers_m2 = powers_;
-    const auto live = image_of(frame, {}, radar_);
+    DrawnByHand drawn(grid_.azimuths);
+    drawn.draw(frame, {});
+    const auto live = image_of(frame, radar_);
     receiver::RangeAzimuthReceiver receiver(radar_, grid_);
     receiver.add(echoes_);
     const auto offline = receiver.image();

@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "counted_allocations.h"
+#include "drawn_by_hand.h"
 #include "live_ground_example.h"
 #include "terrain_short_of_tiles.h"
 
@@ -32,11 +33,17 @@ namespace {
 
 using radar::Polarization;
 
+constexpr double height_m = 1500.0;
+
+Vec3d high_above(Vec2d place = {}) {
+  return {place.x, place.y, height_m};
+}
+
 /// A frame of made bins, speckled by lot, with targets of which two beams hold a part each, as live frames have them.
 class MadeFrame {
  public:
   MadeFrame(const radar::RangeAzimuthGrid& grid, std::uint64_t seed, std::size_t targets)
-      : powers_(4 * grid.azimuths * grid.ranges) {
+      : drawn_(grid.azimuths), powers_(4 * grid.azimuths * grid.ranges) {
     for (std::size_t i = 0; i < powers_.size(); ++i) powers_[i] = -10.0F * std::log(1.0F - unit_float(hashed(seed, i)));
     frame_.grid = grid;
     frame_.earth = radar::CurvedEarth{};
@@ -45,9 +52,19 @@ class MadeFrame {
     std::ranges::stable_sort(before_, {}, [&](const receiver::BinBefore& bin) { return bin.bin / grid.ranges; });
     frame_.powers_m2 = powers_;
     frame_.targets = {echoes_, before_};
+    drawn_.draw(frame_, high_above());
   }
+  /// As it was drawn last, at first from high above the origin.
   [[nodiscard]] const Frame& frame() const { return frame_; }
   [[nodiscard]] Frame& frame() { return frame_; }
+  const Frame& drawn_from(Vec3d radar) {
+    drawn_.draw(frame_, radar);
+    return frame_;
+  }
+  const Frame& drawn_from(Vec3d radar, std::size_t first_beam, std::size_t count) {
+    drawn_.draw(frame_, radar, first_beam, count);
+    return frame_;
+  }
 
  private:
   void add_target(std::uint64_t lot) {
@@ -72,6 +89,7 @@ class MadeFrame {
     }
   }
 
+  DrawnByHand drawn_;
   std::vector<float> powers_;
   std::vector<receiver::EchoInBeam> echoes_;
   std::vector<receiver::BinBefore> before_;
@@ -80,7 +98,6 @@ class MadeFrame {
 
 constexpr radar::RangeAzimuthGrid sector{3000.0, 50.0, 90, -0.1, 0.01, 40};
 constexpr radar::RangeAzimuthGrid turn{3000.0, 50.0, 70, 0.3, 2.0 * pi / 90.0, 90};
-constexpr double height_m = 1500.0;
 
 /// Tells every other bin from the next, both ways.
 radar::Radar radar_of(const radar::RangeAzimuthGrid& grid) {
@@ -96,12 +113,6 @@ radar::Radar with_beam_in_elevation(radar::Radar radar) {
   radar.antenna.elevation_width_rad = radians_from_deg(20.0);
   radar.antenna.tilt_rad = radians_from_deg(-18.0);
   return radar;
-}
-
-Pose from_height(Vec2d place = {}) {
-  Pose pose;
-  pose.position = {place.x, place.y, height_m};
-  return pose;
 }
 
 double hills_m(Vec2d place) {
@@ -145,12 +156,10 @@ TEST_P(LiveReceiverAsOffline, WattsAreThoseOfAWholeImage) {
     radar::Radar even = radar_of(grid);
     change(even);
     LiveReceiver of_even(even, polarization, {}, 2);
-    expect_as_whole_image(of_even.hear(made.frame(), from_height()), even, image_of(made.frame(), from_height(), even),
-                          polarization);
+    expect_as_whole_image(of_even.hear(made.frame()), even, image_of(made.frame(), even), polarization);
     const radar::Radar narrow = with_beam_in_elevation(even);
     LiveReceiver of_narrow(narrow, polarization, hills, 2);
-    expect_as_whole_image(of_narrow.hear(made.frame(), from_height()), narrow,
-                          image_of(made.frame(), from_height(), narrow, hills), polarization);
+    expect_as_whole_image(of_narrow.hear(made.frame()), narrow, image_of(made.frame(), narrow, hills), polarization);
   }
 }
 
@@ -231,7 +240,7 @@ class LiveReceiverOverGround : public testing::Test {
   [[nodiscard]] std::vector<float> heard_at_once(const Pose& pose, unsigned threads = 1) {
     LiveRenderer renderer(ground_, view_.settings(FrameContent::Powers));
     LiveReceiver receiver(radar(), Polarization::VV, ground_, threads);
-    const auto signal_w = receiver.hear(settled_frame(renderer, *ground_, pose), pose).signal_w;
+    const auto signal_w = receiver.hear(settled_frame(renderer, *ground_, pose)).signal_w;
     return {signal_w.begin(), signal_w.end()};
   }
 
@@ -250,22 +259,50 @@ TEST_F(LiveReceiverOverGround, ATurnInStepsComesToTheBytesOfTheWholeFrame) {
   Pose before = pose();
   before.position.x += 300.0;
   before.targets = std::span(targets_).first(20);
-  receiver.hear(settled_frame(renderer, *ground_, before), before);
+  receiver.hear(settled_frame(renderer, *ground_, before));
   HeardPower heard;
-  for (const std::size_t first : {16U, 32U, 48U, 0U})
-    heard = receiver.hear(renderer.scan(pose(), first, 16), pose(), first, 16);
+  for (const std::size_t first : {16U, 32U, 48U, 0U}) heard = receiver.hear(renderer.scan(pose(), first, 16));
   EXPECT_THAT(heard.signal_w, testing::ElementsAreArray(expected));
+}
+
+// Of a radar that flies along while its antenna turns.
+TEST_F(LiveReceiverOverGround, WhoHearsNowAndThenHearsWhatOneDoesWhoHearsEveryStep) {
+  LiveRenderer renderer(ground_, view_.settings(FrameContent::Powers));
+  Pose pose = this->pose();
+  const Frame* frame = &settled_frame(renderer, *ground_, pose);
+  LiveReceiver every(radar(), Polarization::VV, ground_, 1), every_third(radar(), Polarization::VV, ground_, 1);
+  for (std::size_t step = 0; step < 14; ++step) {
+    pose.position.x += 30.0;
+    frame = &renderer.scan(pose, step % 7 * 7, 7);
+    every.hear(*frame);
+    if (step % 3 == 1) every_third.hear(*frame);
+  }
+  LiveReceiver late(radar(), Polarization::VV, ground_, 2);
+  const HeardPower& heard = late.hear(*frame);
+  EXPECT_THAT(heard.signal_w, testing::ElementsAreArray(every.hear(*frame).signal_w));
+  EXPECT_THAT(heard.signal_w, testing::ElementsAreArray(every_third.hear(*frame).signal_w));
+  expect_as_whole_image(heard, radar(), image_of(*frame, radar(), ground_below(*frame, *ground_)), Polarization::VV);
+}
+
+TEST_F(LiveReceiverOverGround, BeamsThatWereNeverDrawnAreDark) {
+  LiveRenderer renderer(ground_, view_.settings(FrameContent::Powers));
+  const Frame& frame = renderer.scan(pose(), 40, 9);
+  LiveReceiver receiver(radar(), Polarization::VV, ground_, 1);
+  const HeardPower& heard = receiver.hear(frame);
+  EXPECT_EQ(std::ranges::max(heard.signal_w.first(20 * view_.ranges)), 0.0F);
+  EXPECT_GT(std::ranges::max(heard.signal_w), 0.0F);
+  expect_as_whole_image(heard, radar(), image_of(frame, radar(), ground_below(frame, *ground_)), Polarization::VV);
 }
 
 TEST_F(LiveReceiverOverGround, AStepChangesNoBeamsButThoseThatItTells) {
   LiveRenderer renderer(ground_, view_.settings(FrameContent::Powers));
   LiveReceiver receiver(radar(), Polarization::VV, ground_, 1);
   Pose pose = this->pose();
-  const HeardPower& heard = receiver.hear(settled_frame(renderer, *ground_, pose), pose);
+  const HeardPower& heard = receiver.hear(settled_frame(renderer, *ground_, pose));
   const std::vector<float> before(heard.signal_w.begin(), heard.signal_w.end());
   pose.position.x += 40.0;
   pose.targets = {};
-  receiver.hear(renderer.scan(pose, 20, 4), pose, 20, 4);
+  receiver.hear(renderer.scan(pose, 20, 4));
   EXPECT_LT(heard.first_changed, 20U);
   EXPECT_GT(heard.first_changed + heard.changed, 24U);
   EXPECT_LT(heard.changed, 24U);
@@ -293,8 +330,8 @@ TEST_F(LiveReceiverOverGround, WattsAreThoseOfAWholeImageOverTheGroundBelow) {
     LiveRenderer renderer(ground_, view_.settings(content));
     const Frame& frame = settled_frame(renderer, *ground_, pose());
     LiveReceiver receiver(radar(), Polarization::HH, ground_, 1);
-    expect_as_whole_image(receiver.hear(frame, pose()), radar(),
-                          image_of(frame, pose(), radar(), ground_below(frame, pose(), *ground_)), Polarization::HH);
+    expect_as_whole_image(receiver.hear(frame), radar(), image_of(frame, radar(), ground_below(frame, *ground_)),
+                          Polarization::HH);
   }
 }
 
@@ -305,9 +342,9 @@ TEST_F(LiveReceiverOverGround, NothingIsWrongByBeingKept) {
   Pose pose = this->pose();
   for (const double away_m : {3000.0, 1400.0, 700.0, 100.0, 1.0, 0.0}) {
     pose.position.y = this->pose().position.y - away_m;
-    receiver.hear(renderer.render(pose), pose);
+    receiver.hear(renderer.render(pose));
   }
-  const auto signal_w = receiver.hear(settled_frame(renderer, *ground_, pose), pose).signal_w;
+  const auto signal_w = receiver.hear(settled_frame(renderer, *ground_, pose)).signal_w;
   EXPECT_THAT(signal_w, testing::ElementsAreArray(heard_at_once(pose)));
 }
 
@@ -323,17 +360,17 @@ TEST_F(LiveReceiverOverGround, HeightsOfSteepGroundDoNotDependOnWhatWasKept) {
   };
   example.terrain_spacing_m = 2.0;
   const auto steep = example.over(*store_);
-  const MadeFrame made(close_turn, 5, 0);
+  MadeFrame made(close_turn, 5, 0);
   const radar::Radar radar = with_beam_in_elevation(radar_of(close_turn));
   for (int number = 0; number < 6; ++number) {
-    Pose here = from_height(example.middle() + Vec2d{37.3, 11.1} * static_cast<double>(number));
-    here.position.z = 220.0 + 10.0 * number;
-    Pose there = here;
-    there.position.x += number % 2 == 0 ? 112.0 : -112.0;  // nearly all that is kept beside
+    Vec3d here = high_above(example.middle() + Vec2d{37.3, 11.1} * static_cast<double>(number));
+    here.z = 220.0 + 10.0 * number;
+    Vec3d there = here;
+    there.x += number % 2 == 0 ? 112.0 : -112.0;  // nearly all that is kept beside
     LiveReceiver fresh(radar, Polarization::VV, steep, 1), receiver(radar, Polarization::VV, steep, 1);
-    receiver.hear(made.frame(), there);
-    EXPECT_THAT(receiver.hear(made.frame(), here).signal_w,
-                testing::ElementsAreArray(fresh.hear(made.frame(), here).signal_w));
+    receiver.hear(made.drawn_from(there));
+    const Frame& frame = made.drawn_from(here);
+    EXPECT_THAT(receiver.hear(frame).signal_w, testing::ElementsAreArray(fresh.hear(frame).signal_w));
   }
 }
 
@@ -342,19 +379,19 @@ TEST_F(LiveReceiverOverGround, TilesThatCouldNotBeHadAreHeardOverAsSoonAsTheyCan
   example.height_m = hills_m;
   std::atomic<bool> is_short = true;
   const auto short_ground = std::make_shared<LiveGround>(*store_, short_of(example.terrain(), is_short), 10e9);
-  const MadeFrame made(close_turn, 5, 0);
+  MadeFrame made(close_turn, 5, 0);
   const radar::Radar radar = with_beam_in_elevation(radar_of(close_turn));
-  Pose pose = from_height(example.middle());
-  pose.position.z = 300.0;
+  const Vec3d here{example.middle().x, example.middle().y, 300.0};
   LiveReceiver expected(radar, Polarization::VV, example.over(*store_), 1),
       receiver(radar, Polarization::VV, short_ground, 1);
-  const auto whole = expected.hear(made.frame(), pose).signal_w;
-  const HeardPower& heard = receiver.hear(made.frame(), pose);
+  const auto whole = expected.hear(made.drawn_from(here)).signal_w;
+  const HeardPower& heard = receiver.hear(made.frame());
   EXPECT_THAT(heard.signal_w, testing::Not(testing::ElementsAreArray(whole)));
   is_short = false;
   std::this_thread::sleep_for(std::chrono::milliseconds(5));
-  receiver.hear(made.frame(), pose);
+  receiver.hear(made.frame());
   EXPECT_THAT(heard.signal_w, testing::ElementsAreArray(whole));
+  EXPECT_EQ(receiver.hear(made.frame()).changed, 0U) << "once";
 }
 
 TEST_F(LiveReceiverOverGround, AWindowThatLacksTilesIsTakenAnewWhenThereIsSomethingBetter) {
@@ -389,19 +426,23 @@ TEST_F(LiveReceiverOverGround, NothingIsAllocatedOnceItHasHeardAll) {
   LiveReceiver receiver(radar(), Polarization::VV, ground_, 2);
   Pose pose = this->pose();
   settled_frame(renderer, *ground_, pose);
-  const Frame& frame = renderer.scan(pose, 8, 8);
-  receiver.hear(frame, pose);
+  Frame frame = renderer.scan(pose, 8, 8);
+  DrawnByHand again(view_.beams);
+  again.draw(frame, pose.position);
+  receiver.hear(frame);
   const std::size_t before = allocations();
   for (int step = 0; step < 10; ++step) {
     pose.position.x += 1.0;
-    receiver.hear(frame, pose, 8, 8);
-    receiver.hear(frame, pose);
+    again.draw(frame, pose.position, 8, 8);
+    receiver.hear(frame);
+    again.draw(frame, pose.position);
+    receiver.hear(frame);
   }
-  Frame elsewhere = frame;
   for (int step = 0; step < 3; ++step) {
-    elsewhere.grid.first_range_m += 1.0;
-    elsewhere.grid.first_azimuth_rad += 1e-4;
-    receiver.hear(elsewhere, pose);
+    frame.grid.first_range_m += 1.0;
+    frame.grid.first_azimuth_rad += 1e-4;
+    again.draw(frame, pose.position);
+    receiver.hear(frame);
   }
   EXPECT_EQ(allocations(), before);
 }
@@ -426,7 +467,7 @@ TEST(LiveReceiver, EvenGroundHasTheWattsOfTheRadarEquation) {
   const Pose pose = view.pose();
   LiveRenderer renderer(ground, bins);
   LiveReceiver receiver(radar, Polarization::VV);
-  const HeardPower& heard = receiver.hear(settled_frame(renderer, *ground, pose), pose);
+  const HeardPower& heard = receiver.hear(settled_frame(renderer, *ground, pose));
   double sum_w = 0.0, expected_w = 0.0;
   for (std::size_t range = 20; range + 20 < view.ranges; ++range) {
     const double r_m = pose.first_range_m + (static_cast<double>(range) + 0.5) * bins.range_step_m;
@@ -458,9 +499,11 @@ TEST(LiveReceiver, ATargetInTheMiddleOfABinHasTheWattsOfTheRadarEquation) {
   frame.grid = sector;
   frame.powers_m2 = dark;
   frame.targets = {echoes, {}};
+  DrawnByHand drawn(sector.azimuths);
+  drawn.draw(frame, high_above());
   const radar::Radar radar = with_beam_in_elevation(radar_of(sector));
   LiveReceiver receiver(radar, Polarization::VV, GroundHeight(hills_m));
-  const HeardPower& heard = receiver.hear(frame, from_height());
+  const HeardPower& heard = receiver.hear(frame);
   // 10° beside the axis of a beam of 20°: twice 3 dB.
   const double expected_w = radar::received_power_w(radar, 250.0, range_m) * radar::compression_gain(radar) / 4.0;
   EXPECT_NEAR(db_from_linear(static_cast<double>(heard.signal_w[17 * sector.ranges + 30]) / expected_w), 0.0, 0.02);
@@ -468,17 +511,38 @@ TEST(LiveReceiver, ATargetInTheMiddleOfABinHasTheWattsOfTheRadarEquation) {
 }
 
 TEST(LiveReceiver, RoundTheTurnAStepIsHeardOnItsOtherSide) {
-  const MadeFrame frame(turn, 3, 20), other(turn, 4, 20);
+  const MadeFrame made(turn, 3, 20), made_before(turn, 4, 20);
+  Frame frame = made.frame(), before = made_before.frame();
+  DrawnByHand drawn(turn.azimuths);
   LiveReceiver receiver(radar_of(turn), Polarization::VV);
-  const HeardPower& heard = receiver.hear(other.frame(), from_height());
-  receiver.hear(frame.frame(), from_height(), 0, 2);
+  drawn.draw(before, high_above());
+  const HeardPower& heard = receiver.hear(before);
+  drawn.draw(frame, high_above(), 0, 2);
+  receiver.hear(frame);
   EXPECT_GT(heard.first_changed, turn.azimuths / 2);
   EXPECT_GT((heard.first_changed + heard.changed) % turn.azimuths, 2U);
   const float last = heard.signal_w[(turn.azimuths - 1) * turn.ranges + 20];
-  for (std::size_t first = 2; first < turn.azimuths; first += 2) receiver.hear(frame.frame(), from_height(), first, 2);
+  for (std::size_t first = 2; first < turn.azimuths; first += 2) {
+    drawn.draw(frame, high_above(), first, 2);
+    receiver.hear(frame);
+  }
   LiveReceiver at_once(radar_of(turn), Polarization::VV);
-  EXPECT_THAT(heard.signal_w, testing::ElementsAreArray(at_once.hear(frame.frame(), from_height()).signal_w));
+  EXPECT_THAT(heard.signal_w, testing::ElementsAreArray(at_once.hear(frame).signal_w));
   EXPECT_NE(heard.signal_w[(turn.azimuths - 1) * turn.ranges + 20], last);
+}
+
+TEST(LiveReceiver, RoundTheTurnNoMoreIsHeardThanLiesBetweenTheBeamsThatWereDrawn) {
+  MadeFrame made(turn, 3, 0);
+  LiveReceiver receiver(radar_of(turn), Polarization::VV);
+  receiver.hear(made.frame());
+  made.drawn_from(high_above(), 5, 1);
+  const std::size_t of_one = receiver.hear(made.frame()).changed;
+  made.drawn_from(high_above(), turn.azimuths - 3, 1);
+  made.drawn_from(high_above(), 2, 1);
+  const HeardPower& heard = receiver.hear(made.frame());
+  EXPECT_EQ(heard.changed, of_one + 5);
+  EXPECT_EQ(heard.first_changed, turn.azimuths - 3 - (of_one - 1) / 2);
+  EXPECT_EQ(receiver.hear(made.frame()).changed, 0U) << "nothing was drawn since";
 }
 
 TEST(LiveReceiver, OtherBinsAreAllHeardAnew) {
@@ -491,31 +555,34 @@ TEST(LiveReceiver, OtherBinsAreAllHeardAnew) {
   wider.azimuths = 50;
   const radar::Radar radar = with_beam_in_elevation(radar_of(sector));
   LiveReceiver receiver(radar, Polarization::VV, GroundHeight(hills_m), 1);
-  receiver.hear(first.frame(), from_height());
+  receiver.hear(first.frame());
   for (const radar::RangeAzimuthGrid& grid : {moved, wider, sector}) {
     const MadeFrame next(grid, 8, 20);
-    const HeardPower& heard = receiver.hear(next.frame(), from_height(), 4, 4);
+    const HeardPower& heard = receiver.hear(next.frame());
     EXPECT_EQ(heard.grid, grid);
     EXPECT_EQ(heard.changed, grid.azimuths);
     LiveReceiver at_once(radar, Polarization::VV, GroundHeight(hills_m), 1);
-    EXPECT_THAT(heard.signal_w, testing::ElementsAreArray(at_once.hear(next.frame(), from_height()).signal_w));
+    EXPECT_THAT(heard.signal_w, testing::ElementsAreArray(at_once.hear(next.frame()).signal_w));
   }
 }
 
-TEST(LiveReceiver, BeamsAreWeighedFromWhereTheRadarIsInTheirStep) {
-  const MadeFrame made(sector, 3, 0);
+TEST(LiveReceiver, BeamsAreWeighedFromWhereTheyWereDrawn) {
+  MadeFrame made(sector, 3, 0);
   const radar::Radar radar = with_beam_in_elevation(radar_of(sector));
   const GroundHeight hills = hills_m;
-  const auto heard_from = [&](const Pose& pose) {
+  const auto heard_at_once = [&] {
     LiveReceiver receiver(radar, Polarization::VV, hills);
-    const auto signal_w = receiver.hear(made.frame(), pose).signal_w;
+    const auto signal_w = receiver.hear(made.frame()).signal_w;
     return std::vector<float>(signal_w.begin(), signal_w.end());
   };
-  const Pose here = from_height(), there = from_height({400.0, 100.0});
-  const std::vector<float> from_here = heard_from(here), from_there = heard_from(there);
+  const Vec3d here = high_above(), there = high_above({400.0, 100.0});
+  made.drawn_from(there);
+  const std::vector<float> from_there = heard_at_once();
+  made.drawn_from(here);
+  const std::vector<float> from_here = heard_at_once();
   LiveReceiver receiver(radar, Polarization::VV, hills);
-  receiver.hear(made.frame(), here);
-  const auto signal_w = receiver.hear(made.frame(), there, 0, 20).signal_w;
+  receiver.hear(made.frame());
+  const auto signal_w = receiver.hear(made.drawn_from(there, 0, 20)).signal_w;
   const std::size_t ranges = sector.ranges;
   for (const auto& [beam, expected] : {std::pair{std::size_t{5}, &from_there}, {std::size_t{35}, &from_here}}) {
     EXPECT_TRUE(std::ranges::equal(signal_w.subspan(beam * ranges, ranges),
@@ -523,59 +590,85 @@ TEST(LiveReceiver, BeamsAreWeighedFromWhereTheRadarIsInTheirStep) {
         << beam;
   }
   EXPECT_NE(from_here, from_there);
+  EXPECT_THAT(heard_at_once(), testing::ElementsAreArray(signal_w)) << "who comes late hears the same";
 }
 
 // A window of the ground is larger than what the bins look at by a quarter of their farthest range.
 TEST(LiveReceiver, HeightsAreAskedForNoFartherThanWhatIsCovered) {
-  const MadeFrame made(close_turn, 3, 0);
+  MadeFrame made(close_turn, 3, 0);
   const double last_m = close_turn.first_range_m + static_cast<double>(close_turn.ranges) * close_turn.range_step_m;
   for (const double up_m : {120.0, 250.0, 1000.0}) {
-    Pose pose = from_height();
-    pose.position.z = up_m;
     double farthest_m = 0.0;
     const GroundHeight steep = [&](Vec2d place) {
       farthest_m = std::max(farthest_m, std::hypot(place.x, place.y));
       return 40.0 * std::sin(place.x / 40.0) * std::cos(place.y / 48.0) + 40.0 * std::sin(place.x / 7.0);
     };
     LiveReceiver receiver(with_beam_in_elevation(radar_of(close_turn)), Polarization::VV, steep, 1);
-    receiver.hear(made.frame(), pose);
+    receiver.hear(made.drawn_from({0.0, 0.0, up_m}));
     EXPECT_GT(farthest_m, up_m < last_m ? 0.9 * last_m : 0.0) << up_m;
     EXPECT_LT(farthest_m, 1.021 * last_m) << up_m;
   }
 }
 
-// Each waits for the other.
+/// Hills that tell how many threads ask for their height at once: each waits for the other.
+class WatchedHills {
+ public:
+  [[nodiscard]] GroundHeight heights() {
+    return [this](Vec2d place) {
+      wait_for_another();
+      return hills_m(place);
+    };
+  }
+  void watch() { is_watched_ = true; }
+  [[nodiscard]] std::size_t threads() const { return at_work_.size(); }
+
+ private:
+  void wait_for_another() {
+    if (!is_watched_) return;
+    std::unique_lock lock(guard_);
+    if (at_work_.insert(std::this_thread::get_id()).second) another_.notify_all();
+    if (!another_.wait_for(lock, std::chrono::seconds(5), [this] { return at_work_.size() > 1; })) is_watched_ = false;
+  }
+
+  std::atomic<bool> is_watched_ = false;
+  std::mutex guard_;
+  std::condition_variable another_;
+  std::set<std::thread::id> at_work_;
+};
+
+constexpr radar::RangeAzimuthGrid many_ranges{3000.0, 15.0, 512, -0.1, 4e-3, 64};
+
 TEST(LiveReceiver, ThreadsShareTheWeighingOfAStep) {
-  constexpr radar::RangeAzimuthGrid grid{3000.0, 15.0, 512, -0.1, 4e-3, 64};
-  const MadeFrame made(grid, 3, 0);
-  std::atomic<bool> is_watched = false;
-  std::mutex guard;
-  std::condition_variable another;
-  std::set<std::thread::id> at_work;
-  const GroundHeight watched = [&](Vec2d place) {
-    if (is_watched) {
-      std::unique_lock lock(guard);
-      if (at_work.insert(std::this_thread::get_id()).second) another.notify_all();
-      if (!another.wait_for(lock, std::chrono::seconds(5), [&] { return at_work.size() > 1; })) is_watched = false;
-    }
-    return hills_m(place);
-  };
-  LiveReceiver receiver(with_beam_in_elevation(radar_of(grid)), Polarization::VV, watched, 2);
-  receiver.hear(made.frame(), from_height());
-  is_watched = true;
-  receiver.hear(made.frame(), from_height({1.0, 0.0}), 8, 8);
-  EXPECT_EQ(at_work.size(), 2U);
+  MadeFrame made(many_ranges, 3, 0);
+  WatchedHills hills;
+  LiveReceiver receiver(with_beam_in_elevation(radar_of(many_ranges)), Polarization::VV, hills.heights(), 2);
+  receiver.hear(made.frame());
+  hills.watch();
+  receiver.hear(made.drawn_from(high_above({1.0, 0.0}), 8, 8));
+  EXPECT_EQ(hills.threads(), 2U);
+}
+
+TEST(LiveReceiver, ThreadsShareTheWeighingOfManySmallStepsThatAreHeardTogether) {
+  MadeFrame made(many_ranges, 3, 0);
+  WatchedHills hills;
+  LiveReceiver receiver(with_beam_in_elevation(radar_of(many_ranges)), Polarization::VV, hills.heights(), 2);
+  receiver.hear(made.frame());
+  for (std::size_t beam = 0; beam < many_ranges.azimuths; ++beam)
+    made.drawn_from(high_above({static_cast<double>(beam), 0.0}), beam, 1);
+  hills.watch();
+  receiver.hear(made.frame());
+  EXPECT_EQ(hills.threads(), 2U);
 }
 
 TEST(LiveReceiver, WhatHoldsTheSignalStaysWhereItIsWhenMoreBinsAreHeard) {
   const MadeFrame small(sector, 3, 0), large(turn, 3, 0);
   LiveReceiver receiver(radar_of(sector), Polarization::VV);
   EXPECT_EQ(receiver.signal(), nullptr);
-  const auto heard = receiver.hear(small.frame(), from_height()).signal_w;
+  const auto heard = receiver.hear(small.frame()).signal_w;
   const auto held = receiver.signal();
   ASSERT_EQ(held->data(), heard.data());
   const std::vector<float> before = *held;
-  receiver.hear(large.frame(), from_height());
+  receiver.hear(large.frame());
   EXPECT_NE(receiver.signal(), held);
   EXPECT_EQ(*held, before);
 }
@@ -583,7 +676,7 @@ TEST(LiveReceiver, WhatHoldsTheSignalStaysWhereItIsWhenMoreBinsAreHeard) {
 TEST(LiveReceiver, PowerForPicturesIsTheSameTheOtherWayRound) {
   const MadeFrame made(sector, 3, 5);
   LiveReceiver receiver(radar_of(sector), Polarization::VV);
-  const HeardPower& heard = receiver.hear(made.frame(), from_height());
+  const HeardPower& heard = receiver.hear(made.frame());
   const receiver::ReceivedPower power = received_power(heard);
   EXPECT_EQ(power.grid, sector);
   EXPECT_EQ(power.noise_w, heard.noise_w);
@@ -607,14 +700,20 @@ TEST(LiveReceiver, RefusesWhatWouldGiveWattsThatNobodyReceives) {
   MadeFrame made(sector, 3, 0);
   LiveReceiver receiver(radar_of(sector), Polarization::VV);
   made.frame().frequency_hz = 3e9;
-  EXPECT_THAT(refused([&] { receiver.hear(made.frame(), from_height()); }), testing::HasSubstr("3 GHz"));
+  EXPECT_THAT(refused([&] { receiver.hear(made.frame()); }), testing::HasSubstr("3 GHz"));
   made.frame().frequency_hz = 10.05e9;
-  EXPECT_NO_THROW(receiver.hear(made.frame(), from_height()));
-  EXPECT_THROW(receiver.hear(made.frame(), from_height(), 0, 0), Error);
-  EXPECT_THROW(receiver.hear(made.frame(), from_height(), sector.azimuths, 1), Error);
-  Pose nowhere = from_height();
-  nowhere.position.x = std::nan("");
-  EXPECT_THROW(receiver.hear(made.frame(), nowhere), Error);
+  EXPECT_NO_THROW(receiver.hear(made.frame()));
+}
+
+TEST(LiveReceiver, RefusesBinsThatHoldAnotherFrame) {
+  LiveReceiver receiver(radar_of(sector), Polarization::VV);
+  EXPECT_THAT(refused([&] { receiver.hear({}); }), testing::HasSubstr("nothing has been drawn"));
+  MadeFrame made(sector, 3, 0);
+  const Frame before = made.frame();
+  made.drawn_from(high_above(), 3, 1);
+  EXPECT_THAT(refused([&] { receiver.hear(before); }), testing::HasSubstr("before the next is drawn"));
+  EXPECT_THAT(refused([&] { (void)image_of(before); }), testing::HasSubstr("before the next is drawn"));
+  EXPECT_NO_THROW(receiver.hear(made.frame()));
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <vector>
 
+#include "drawn_by_hand.h"
 #include "live_ground_example.h"
 
 #include "sigmascape/atlas/atlas.h"
@@ -531,7 +532,7 @@ TEST_F(LiveTargetsTest, HaveTheWattsOfTheRadarEquationHoweverFineTheBins) {
       radar.beam_width_rad = beam_rad;
       radar.antenna.gain = 1000.0;
       radar.waveform.peak_power_w = 2000.0;
-      const auto received = receiver::received_power(radar, image_of(frame, pose, radar), radar::Polarization::VV);
+      const auto received = receiver::received_power(radar, image_of(frame, radar), radar::Polarization::VV);
       const double lambda_m = wavelength_m(10e9);
       const double expected_w = 2000.0 * 1e6 * lambda_m * lambda_m * rcs_m2 /
                                 (std::pow(4.0 * pi, 3.0) * std::pow(range_m, 4.0)) * radar::compression_gain(radar);
@@ -550,7 +551,9 @@ TEST_F(LiveTargetsTest, TheBeamIsLaidOverTheFirstBeamAndTheLastWhereTheyMeet) {
   radar::Radar radar;
   radar.range_resolution_m = 10.0;
   radar.beam_width_rad = 2.0 * frame.grid.azimuth_step_rad;
-  const radar::RangeAzimuthImage image = image_of(frame, {}, radar);
+  DrawnByHand drawn(frame.grid.azimuths);
+  drawn.draw(frame, {});
+  const radar::RangeAzimuthImage image = image_of(frame, radar);
   EXPECT_GT(image.rcs_m2(1, 2).vv, 0.1F);
   EXPECT_FLOAT_EQ(image.rcs_m2(15, 2).vv, image.rcs_m2(1, 2).vv);
 }

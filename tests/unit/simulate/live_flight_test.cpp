@@ -13,6 +13,7 @@
 
 #include "sigmascape/base/error.h"
 #include "sigmascape/render/frame_image.h"
+#include "sigmascape/render/live_receiver.h"
 #include "sigmascape/simulate/frame_blend.h"
 
 namespace sigmascape::simulate {
@@ -162,10 +163,9 @@ TEST_F(LiveFlightTest, TargetsAreToldApartOnTheWayBetweenLevelsToo) {
       here.targets = targets;
       renderer.render(here);
       ground_->wait_until_loaded();
-      const auto textured = image_of(renderer.render(here), here, radar);
-      const auto traced = image_of(tracer.render(here), here, radar);
-      const auto shown =
-          image_of(step % 2 == 0 ? live.render(here) : live.scan(here, 0, bins(content).beams), here, radar);
+      const auto textured = image_of(renderer.render(here), radar);
+      const auto traced = image_of(tracer.render(here), radar);
+      const auto shown = image_of(step % 2 == 0 ? live.render(here) : live.scan(here, 0, bins(content).beams), radar);
       const double share = live.textured_share();
       between += share > 0.0 && share < 1.0 ? 1 : 0;
       for (std::size_t i = 0; i < shown.rcs_m2.size(); ++i) {
@@ -225,6 +225,52 @@ TEST_F(LiveFlightTest, AScanPassesFromTracingToTexturesStepByStep) {
       }
     }
   }
+}
+
+/// Hears what flights show over level ground, with an antenna that tells elevations apart.
+render::LiveReceiver receiver_of(const render::LiveSettings& bins) {
+  radar::Radar radar;
+  radar.range_resolution_m = 2.0 * bins.range_step_m;
+  radar.beam_width_rad = 2.0 * bins.beam_step_rad;
+  radar.antenna.elevation = radar::GaussianBeam{};
+  radar.antenna.elevation_width_rad = radians_from_deg(4.0);
+  radar.antenna.tilt_rad = radians_from_deg(-13.0);
+  return {radar, radar::Polarization::VV, render::GroundHeight([](Vec2d) { return 0.0; }), 1};
+}
+
+TEST_F(LiveFlightTest, BeamsSayFromWhereTheyWereDrawnWhateverDrewThem) {
+  LiveFlight live = flight(FrameContent::Powers);
+  render::LiveReceiver every = receiver_of(bins(FrameContent::Powers)),
+                       every_third = receiver_of(bins(FrameContent::Powers));
+  std::vector<Vec3d> drawn_from(24);
+  const auto is_as_drawn = [&](const render::Frame& frame) {
+    EXPECT_NO_THROW(render::check_holds(frame, "test"));
+    for (std::size_t beam = 0; beam < 24; ++beam) EXPECT_EQ(frame.beams[beam].radar, drawn_from[beam]) << beam;
+  };
+  const auto sees = [&](const render::Frame& frame, const render::Pose& from, std::size_t first, std::size_t count) {
+    std::fill_n(drawn_from.begin() + static_cast<std::ptrdiff_t>(first), count, from.position);
+    is_as_drawn(frame);
+    every.hear(frame);
+  };
+  sees(live.render(pose(1.9)), pose(1.9), 0, 24);
+  // Traced, on the way, and from textures.
+  for (int step = 0; step < 2 * frames_a_change; ++step) {
+    const std::size_t first = static_cast<std::size_t>(step) % 6 * 4;
+    render::Pose here = pose(step < 2 ? 1.9 : 3.0);
+    here.position.x += 40.0 * step;
+    const render::Frame& frame = live.scan(here, first, 4);
+    sees(frame, here, first, 4);
+    if (step % 3 == 0) every_third.hear(frame);
+    render::LiveReceiver late = receiver_of(bins(FrameContent::Powers));
+    EXPECT_THAT(late.hear(frame).signal_w, testing::ElementsAreArray(every.hear(frame).signal_w)) << step;
+    EXPECT_THAT(every_third.hear(frame).signal_w, testing::ElementsAreArray(every.hear(frame).signal_w)) << step;
+  }
+  EXPECT_EQ(live.textured_share(), 1.0);
+  const render::Frame before = live.render(pose(3.0));
+  EXPECT_NO_THROW(render::check_holds(before, "test"));
+  live.scan(pose(3.0), 0, 4);
+  live.render(pose(3.0));
+  EXPECT_THROW(render::check_holds(before, "test"), Error) << "its bins were drawn into";
 }
 
 TEST_F(LiveFlightTest, WhatIsInUseIsKeptNearWhereTheChoiceChanges) {

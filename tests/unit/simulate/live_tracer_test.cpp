@@ -583,7 +583,12 @@ TEST_F(LiveTracerTest, WhatCannotBeTracedIsRefused) {
   render::Pose pose = bins_.pose();
   pose.position.z = 1.0;
   pose.first_range_m = -pose.position.y;
+  const render::Frame& frame = live.render(bins_.pose());
+  const std::vector<float> before(frame.powers_m2.begin(), frame.powers_m2.end());
   EXPECT_THROW(live.render(pose), Error);
+  EXPECT_EQ(frame.grid.first_range_m, bins_.pose().first_range_m);
+  EXPECT_THAT(frame.powers_m2, testing::ElementsAreArray(before));
+  EXPECT_NO_THROW(render::check_holds(frame, "test"));
   EXPECT_GT(total(live.render(bins_.pose()).powers_m2), 0.0) << "a refused pose leaves a tracer that works";
 }
 
