@@ -41,7 +41,7 @@ results-small: packages-build ## Measure how close baked maps come to traced one
 # SIGMASCAPE_DATA names. RESULTS_PAPER= and so on measure otherwise; left empty, on 1 km².
 RESULTS_PAPER ?= --scale 0.2 --held-out 24 --on-grid 3 --repeated 1 --samples 100 --traced-samples 1024 --most-traced-samples 5120 --finer-samples 5120
 RESULTS_ITU ?= --scale 0.2 --held-out 24 --on-grid 4 --repeated 1 --samples 64 --traced-samples 512 --most-traced-samples 1536 --finer-samples 768
-RESULTS_BILBAO ?= --no-finest-grid --scale 0.2 --held-out 24 --on-grid 4 --repeated 1 --samples 64 --traced-samples 768 --finer-samples 768
+RESULTS_BILBAO ?= --no-finest-grid --scale 0.2 --held-out 24 --on-grid 4 --repeated 1 --samples 64 --traced-samples 768 --most-traced-samples 1536 --finer-samples 768
 RESULTS_SAN_FRANCISCO ?= --small --scale 0.2 --held-out 24 --on-grid 3 --repeated 1 --samples 32 --traced-samples 384 --finer-samples 256
 
 results: packages-build ## Measure as docs/results was, on real places too, and write it anew: ten hours on two cores, goes on where it was broken off
