@@ -61,7 +61,8 @@ void run_results(const ResultsOptions& options, const Output& output) {
                              .patches = plan.bake_settings(Method::OwnGround).patches.covering(scene.extent).size(),
                              .views = measurement.results(),
                              .rows = rows_of(measurement.results()),
-                             .figures = paper_figures(measurement, plan, folder)};
+                             .figures = paper_figures(measurement, plan, folder),
+                             .neighbours = neighbours_of(options.page, plan)};
   const auto json = results_json(plan, report.rows, report.views);
   product::ComparisonPage page{.title = "How close the baked map is",
                                .lead = "Maps rendered from baked reflectivity, held against path-traced ones.",

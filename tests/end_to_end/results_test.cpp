@@ -85,7 +85,7 @@ TEST_F(Results, AreNumbersPageAndPictures) {
         "--traced-samples 4 ",
         "as many elevations, spaced evenly, 8 × 5 in cot ψ", "### Without noise", "## Where the error is", "## Why",
         "### At views that were baked", "### At views that were not baked", "The largest by RMS is", "## Cheap wins",
-        "### What limits the best of them", "dB a megabyte", "texels half as wide",
+        "## What limits the best of them", "dB a megabyte", "texels half as wide",
         "rays where the noise is | to 0.4 dB, at most 128", "texel size", "Figure 1", "Figure 7", "Figure 8"})
     EXPECT_NE(page.find(part), std::string::npos) << part;
 

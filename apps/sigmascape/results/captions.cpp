@@ -24,8 +24,11 @@ const ViewResult* find_view(const std::vector<ViewResult>& views, const ResultsP
 std::string caption_of(const ViewResult& map) {
   std::string text = fmt::format("{}, {}: ", text_of(map.of.method), map.of.grid);
   if (const product::CellComparison* cell = map.comparison.at_cell(summary_cell_m)) {
-    text += fmt::format("correlation {}, {} dB RMS at {:.0f} m cells; ", number_text(cell->correlation_db, 3),
-                        number_text(cell->rms_db, 2), summary_cell_m);
+    const product::CellComparison* floor = map.noise_floor.at_cell(summary_cell_m);
+    text +=
+        fmt::format("correlation {}, {} dB RMS at {:.0f} m cells{}; ", number_text(cell->correlation_db, 3),
+                    number_text(cell->rms_db, 2), summary_cell_m,
+                    floor != nullptr ? fmt::format(" (two traced maps: {} dB)", number_text(floor->rms_db, 2)) : "");
   }
   return text + fmt::format("{:.2f} s, {} MB stored, {} MB in memory", map.render_ms / 1e3,
                             megabytes(map.atlas.store_bytes), megabytes(map.atlas.memory_bytes));

@@ -12,8 +12,8 @@ namespace sigmascape::cli {
 [[nodiscard]] const ViewResult* find_view(const std::vector<ViewResult>& views, const ResultsPlan& plan,
                                           const PlannedView& view, Method method, const std::string& grid);
 
-/// Of a map from textures: the method and its looks, how close it comes at summary_cell_m, the processor time that it
-/// takes, and its bytes.
+/// Of a map from textures: the method and its looks, how close it comes at summary_cell_m beside what two traced maps
+/// of the view differ by, the processor time that it takes, and its bytes.
 [[nodiscard]] std::string caption_of(const ViewResult& map);
 
 /// Of the path-traced map that the others of its view are held against: the rays of one, its processor time, and the

@@ -1,35 +1,82 @@
 #include "results/causes.h"
 
+#include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 #include <optional>
 
 #include "results/columns.h"
 
+#include "sigmascape/base/units.h"
+
 namespace sigmascape::cli {
 namespace {
 
-/// What the error falls by when the cause that adds most to it is switched off.
-struct LargestFall {
+constexpr const char* flat_shadows = "flat-ground shadows on slopes";
+
+/// A cause beside others of the same views, and what an error falls by without it.
+struct WeighedCause {
+  Contrast contrast;
+  std::vector<FallAtView> falls;
+
+  [[nodiscard]] std::string text() const { return fmt::format("{} ({})", contrast.name, contrast.how); }
+  [[nodiscard]] PairedFall fall() const { return paired(falls); }
+};
+
+std::vector<WeighedCause> weighed_causes(const ResultsPlan& plan, const std::vector<ResultsRow>& rows, ViewKind kind,
+                                         double product::CellComparison::*error) {
+  std::vector<WeighedCause> weighed;
+  for (const Contrast& cause : causes(plan, kind)) {
+    const auto both = measured(cause, rows);
+    if (both && are_of_the_same_views(cause))
+      weighed.push_back({cause, falls_at_views(*both->with, *both->without, error)});
+  }
+  return weighed;
+}
+
+/// What takes most off the error at one view; nullptr where nothing takes any.
+const WeighedCause* largest_at(const std::vector<WeighedCause>& causes, double azimuth_deg, double elevation_deg) {
+  const WeighedCause* largest = nullptr;
+  double most = 0.0;
+  for (const WeighedCause& cause : causes) {
+    for (const FallAtView& fall : cause.falls) {
+      if (!fall.is_at(azimuth_deg, elevation_deg) || fall.falls_by <= most) continue;
+      most = fall.falls_by;
+      largest = &cause;
+    }
+  }
+  return largest;
+}
+
+/// The cause that takes most off an error.
+struct LargestCause {
   std::string cause;
   PairedFall fall;
+  std::size_t largest_at = 0;  ///< views at which no other takes more off
 
-  /// "by 2.00 dB in the mean of the views, at 20 of 24".
+  /// "by 2.00 dB in the median over the views, at 20 of 24; it is the largest cause at 15 of these views".
   [[nodiscard]] std::string text(int decimals, const char* unit) const {
-    return fmt::format("by {}{} in the mean over the views, at {} of {}", number_text(fall.mean, decimals), unit,
-                       fall.better, fall.views);
+    return fmt::format(
+        "by {}{} in the median over the views, at {} of {}; it is the largest cause at {} of these views",
+        number_text(fall.median, decimals), unit, fall.better, fall.views, largest_at);
   }
 };
 
-std::optional<LargestFall> largest(const ResultsPlan& plan, const std::vector<ResultsRow>& rows, ViewKind kind,
-                                   double product::CellComparison::*error) {
-  std::optional<LargestFall> most;
-  for (const Contrast& cause : causes(plan, kind)) {
-    const auto both = measured(cause, rows);
-    if (!both || !are_of_the_same_views(cause)) continue;
-    const PairedFall fall = fall_between(*both->with, *both->without, error);
-    if (fall.mean > (most ? most->fall.mean : 0.0)) most = {fmt::format("{} ({})", cause.name, cause.how), fall};
+std::optional<LargestCause> largest(const ResultsPlan& plan, const std::vector<ResultsRow>& rows, ViewKind kind,
+                                    double product::CellComparison::*error) {
+  const auto weighed = weighed_causes(plan, rows, kind, error);
+  const WeighedCause* most = nullptr;
+  for (const WeighedCause& cause : weighed) {
+    if (cause.fall().median > (most != nullptr ? most->fall().median : 0.0)) most = &cause;
   }
-  return most;
+  if (most == nullptr) return std::nullopt;
+  // One cause may be measured by both methods, and is no rival of itself.
+  const auto is_largest = [&](const FallAtView& fall) {
+    const WeighedCause* cause = largest_at(weighed, fall.azimuth_deg, fall.elevation_deg);
+    return cause != nullptr && cause->contrast.name == most->contrast.name;
+  };
+  return LargestCause{most->text(), most->fall(),
+                      static_cast<std::size_t>(std::ranges::count_if(most->falls, is_largest))};
 }
 
 }  // namespace
@@ -64,8 +111,8 @@ std::vector<Contrast> causes(const ResultsPlan& plan, ViewKind kind) {
     list.push_back(
         {"missing angles", "the paper's method: " + against, paper, from_own_look(Method::Paper, plan.baked_samples)});
   }
-  list.push_back({"flat-ground shadows on slopes", "ours: shadows baked against made at run time",
-                  from_grid(Method::BakedShadows), level_ground});
+  list.push_back(
+      {flat_shadows, "ours: shadows baked against made at run time", from_grid(Method::BakedShadows), level_ground});
   list.push_back({"layover placement and mutual shadowing on slopes",
                   "ours: baked on level ground against on its own ground", level_ground, own_ground});
   list.push_back({"mip levels", "the paper's method: mips against the finest level alone", paper,
@@ -96,7 +143,7 @@ std::vector<Contrast> causes(const ResultsPlan& plan, ViewKind kind) {
 std::string causes_table(const ResultsPlan& plan, const std::vector<ResultsRow>& rows, ViewKind kind) {
   std::string text =
       "| cause | how it is switched off | with it: correlation | RMS [dB] | L1 | IoU | without it: correlation | RMS "
-      "[dB] | L1 | IoU | RMS falls by [dB] | at views |\n"
+      "[dB] | L1 | IoU | RMS falls by, median [dB] | at views |\n"
       "|---|---|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|\n";
   text += truth_line(plan, rows, kind, " | | | | | |");
   for (const Contrast& cause : causes(plan, kind)) {
@@ -105,7 +152,7 @@ std::string causes_table(const ResultsPlan& plan, const std::vector<ResultsRow>&
                                   ? fall_between(*both->with, *both->without, &product::CellComparison::rms_db)
                                   : PairedFall{};
       text += fmt::format("| {} | {} | {} | {} | {} |\n", cause.name, cause.how, error_text(both->with_cell->median),
-                          error_text(both->without_cell->median), fall_text(fall));
+                          error_text(both->without_cell->median), fall_text(fall, &PairedFall::median));
     }
   }
   return text;
@@ -126,18 +173,41 @@ std::string largest_causes(const ResultsPlan& plan, const std::vector<ResultsRow
   return fmt::format("The largest {} {}", rms, l1);
 }
 
+std::string flat_shadows_text(const ResultsPlan& plan, const std::vector<ResultsRow>& rows) {
+  constexpr double least_bias_db = 3.0;
+  const ResultsRow* paper = baseline_row(plan, rows, plan.scene_name(), ViewKind::OnGrid);
+  if (summary_cell(paper) == nullptr || paper->at_views.empty()) return {};
+  const ResultsAtView& worst = *std::ranges::max_element(
+      paper->at_views, {}, [](const ResultsAtView& view) { return std::abs(view.tested.bias_db); });
+  const auto weighed = weighed_causes(plan, rows, ViewKind::OnGrid, &product::CellComparison::rms_db);
+  const WeighedCause* cause = largest_at(weighed, worst.azimuth_deg, worst.elevation_deg);
+  const bool is_far_off = std::abs(worst.tested.bias_db) >= least_bias_db;
+  if (!is_far_off || cause == nullptr || cause->contrast.name != flat_shadows) return {};
+  const bool is_dark = worst.tested.bias_db < 0.0;
+  return fmt::format(
+      "The paper's method is farthest off at azimuth {:.1f}°, elevation {:.1f}°: {} dB too {}, {} dB RMS, correlation "
+      "{}. There flat-ground shadows are the largest cause. They are {:.1f} times as long as what casts them is high, "
+      "and lie so in its textures; on slopes that face {} the radar true shadows are {}.",
+      worst.azimuth_deg, worst.elevation_deg, number_text(std::abs(worst.tested.bias_db), 2),
+      is_dark ? "dark" : "bright", number_text(worst.tested.rms_db, 2), number_text(worst.tested.correlation_db, 3),
+      1.0 / std::tan(radians_from_deg(worst.elevation_deg)), is_dark ? "towards" : "away from",
+      is_dark ? "shorter" : "longer");
+}
+
 std::string causes_section(const ResultsPlan& plan, const std::vector<ResultsRow>& rows) {
   std::string text = fmt::format(
       "## Why\n\nWhat the error is made of: each line switches one cause off and leaves all else as it is, and what "
       "the error falls by is that cause's part. Medians over the views at {:.0f} m cells, from the {} grid where "
-      "nothing else is said; what the RMS falls by is the mean of each view's own fall, and beside it stands at how "
-      "many of the views it falls. The largest cause is named below each table, among those whose two maps are held "
-      "against one truth.\n\n",
+      "nothing else is said; what the RMS falls by is the median of each view's own fall, which need not be the "
+      "difference of the two medians, and beside it stands at how many of the views it falls. The cause with the "
+      "largest such median is named below each table, among those whose two maps are held against one truth.\n\n",
       summary_cell_m, plan.paper_grid().name());
   for (const ViewKind kind : {ViewKind::HeldOut, ViewKind::OnGrid}) {
     if (baseline_row(plan, rows, plan.scene_name(), kind) == nullptr) continue;
     text += fmt::format("### At views that were {}baked\n\n{}\n{}\n\n", kind == ViewKind::OnGrid ? "" : "not ",
                         causes_table(plan, rows, kind), largest_causes(plan, rows, kind));
+    const std::string of_shadows = kind == ViewKind::OnGrid ? flat_shadows_text(plan, rows) : "";
+    if (!of_shadows.empty()) text += of_shadows + "\n\n";
   }
   return text;
 }

@@ -1,7 +1,9 @@
 #include "results/columns.h"
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <string>
 
 #include "sigmascape/product/number_text.h"
 
@@ -33,6 +35,14 @@ int decimals_that_tell(double value, double aim, int at_least) {
   int decimals = at_least;
   while (decimals < most && seems_reached(decimals) != (value >= aim)) ++decimals;
   return decimals;
+}
+
+std::string two_digits(double value) {
+  const double size = std::abs(value);
+  if (!(size > 0.0)) return number_text(value, 0);
+  // 0.0996 rounds to 0.10, with one decimal less than its own leading digit asks for.
+  const double rounded = std::stod(fmt::format("{:.1e}", size));
+  return number_text(value, std::max(0, 1 - static_cast<int>(std::floor(std::log10(rounded)))));
 }
 
 std::string megabytes(std::uintmax_t bytes) {

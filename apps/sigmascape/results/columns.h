@@ -19,6 +19,8 @@ namespace sigmascape::cli {
 /// How many decimals, at least so many, it takes to see on which side of an aim a value lies: 4 for 0.9896 beside 0.99,
 /// which three would show as reached. Six at most.
 [[nodiscard]] int decimals_that_tell(double value, double aim, int at_least);
+/// At least two digits that count, and no power of ten: "0.018", "0.43", "1.9", "81", "238".
+[[nodiscard]] std::string two_digits(double value);
 /// "26.84".
 [[nodiscard]] std::string megabytes(std::uintmax_t bytes);
 

@@ -9,6 +9,7 @@
 #include "results/columns.h"
 #include "results/contrast.h"
 #include "results/costs.h"
+#include "results/tracing.h"
 #include "words.h"
 
 namespace sigmascape::cli {
@@ -23,9 +24,9 @@ constexpr const char* way_heads =
     "one map [s] |\n|---|---|---:|---:|---:|---:|---:|---:|---:|---:|\n";
 
 std::string line_of(const std::string& what, const ResultsRow& row) {
-  return fmt::format("| {} | {} | {} | {} | {:.0f} | {:.2f} |\n", what, name_of(row),
+  return fmt::format("| {} | {} | {} | {} | {:.0f} | {} |\n", what, name_of(row),
                      metrics_text(row.at_cell(summary_cell_m)->median), megabytes(row.atlas.store_bytes),
-                     row.atlas.bake_seconds, row.render_ms / 1e3);
+                     row.atlas.bake_seconds, two_digits(row.render_ms / 1e3));
 }
 
 /// A way beside the look that is each view's own, where no angle is missing.
@@ -36,12 +37,16 @@ struct WithOwnLook {
     return error_parts(way->median.rms_db, own->median.rms_db, way->floor_median.rms_db);
   }
   [[nodiscard]] bool way_is_closer() const { return way->median.rms_db <= own->median.rms_db; }
-  /// How much of the squared error missing angles are at least, where they are most of it; nothing where they may not
-  /// be. No other part is named so: a way blends several looks, whose noise averages, and the own look has all of it.
-  [[nodiscard]] std::optional<double> share_of_missing_angles() const {
+  /// Whether more of the squared error may be missing angles than blending several looks takes off by averaging noise.
+  [[nodiscard]] bool tells_of_missing_angles() const {
+    constexpr double least_share = 0.1;
+    return !way_is_closer() && parts().missing_angles_db2 >= least_share * parts().all_db2;
+  }
+  /// Whether missing angles are most of the squared error. Of no other part this can be told: a way blends several
+  /// looks, whose noise averages, and the own look has all of it.
+  [[nodiscard]] bool misses_angles_most() const {
     const ErrorParts of = parts();
-    if (way_is_closer() || of.missing_angles_db2 < std::max(of.truth_noise_db2, of.rest_db2)) return std::nullopt;
-    return of.missing_angles_db2 / of.all_db2;
+    return !way_is_closer() && of.missing_angles_db2 >= std::max(of.truth_noise_db2, of.rest_db2);
   }
 };
 
@@ -62,17 +67,18 @@ std::string limit_of(const ResultsRow& row, const std::vector<ResultsRow>& rows)
   const std::string by_l1 =
       fmt::format("By relative L1, in which faint cells count little, its error is {}, that of the own look {}.\n\n",
                   number_text(way.l1, 3), number_text(own.l1, 3));
-  if (both->way_is_closer()) {
+  if (!both->tells_of_missing_angles()) {
     return fmt::format(
-               "*{}* comes closer to the truth, {:.2f} dB RMS, than a texture baked for the view itself with as many "
-               "rays (its own look), {:.2f} dB: it blends several looks, whose noise averages. How much of its error "
-               "missing angles are, and how much noise, these numbers do not tell. ",
-               name_of(row), way.rms_db, own.rms_db) +
+               "*{}* comes {} the truth, {:.2f} dB RMS, {} a texture baked for the view itself with as many rays (its "
+               "own look), {:.2f} dB: it blends several looks, whose noise averages. How much of its error missing "
+               "angles are, and how much noise, these numbers do not tell. ",
+               name_of(row), both->way_is_closer() ? "closer to" : "about as close to", way.rms_db,
+               both->way_is_closer() ? "than" : "as", own.rms_db) +
            by_l1;
   }
   const ErrorParts parts = both->parts();
   const auto percent = [&](double db2) { return 100.0 * db2 / parts.all_db2; };
-  const std::string cause = both->share_of_missing_angles()
+  const std::string cause = both->misses_angles_most()
                                 ? fmt::format("What limits *{}* most is missing angles.", name_of(row))
                                 : fmt::format("The error of *{}* has several causes.", name_of(row));
   return fmt::format(
@@ -113,90 +119,53 @@ std::optional<Best> best_of(const ResultsPlan& plan, const std::vector<ResultsRo
               of_all, of_all != nullptr ? by(Method::Paper, *of_all, plan, rows) : nullptr};
 }
 
-/// "3.32 dB RMS (correlation 0.949, 12.75 MB of textures)".
-std::string closeness(const ResultsRow& row) {
-  const product::CellComparison& cell = summary_cell(&row)->median;
-  return fmt::format("{} dB RMS (correlation {}, {} MB of textures)", number_text(cell.rms_db, 2),
-                     number_text(cell.correlation_db, 3), megabytes(row.atlas.store_bytes));
-}
-
 std::string rms_text(const ResultsRow& row) {
   return number_text(summary_cell(&row)->median.rms_db, 2) + " dB";
 }
 
-/// How far both methods are from traced maps, from the paper's looks.
+/// What is compared, and how far both methods are from traced maps, from the paper's looks.
 std::string found_from_the_papers_looks(const ResultsPlan& plan, const Best& best) {
-  const LookGrid& looks = plan.paper_grid();
-  const std::string baked_for = fmt::format("the paper's {} directions ({} azimuths at {} elevations each)",
-                                            looks.name(), looks.azimuths, looks.elevations_deg.size());
-  const std::string where = fmt::format("medians over {} from other directions, at {:.0f} m cells",
-                                        counted(best.paper->views, "view", "views"), summary_cell_m);
-  if (best.alike == nullptr) {
-    return fmt::format(
-        "Maps rendered by the paper's method from textures that were baked for {} differ from "
-        "path-traced maps by {}: {}. ",
-        baked_for, closeness(*best.paper), where);
-  }
-  return fmt::format(
-      "Maps rendered from textures that were baked for {} differ from path-traced maps by {} with our method and by {} "
-      "with the paper's: {}. Ours come closer at {} of them. ",
-      baked_for, closeness(*best.alike), closeness(*best.paper), where,
-      fall_between(*best.paper, *best.alike, &product::CellComparison::rms_db).better);
+  const std::string compared = fmt::format(
+      "Maps rendered from baked textures are held against path-traced ones, cell by cell of {:.0f} m, at {} from "
+      "directions that were not baked. From the paper's {} directions ",
+      summary_cell_m, counted(best.paper->views, "view", "views"), plan.paper_grid().name());
+  if (best.alike == nullptr)
+    return compared + fmt::format("the paper's method is off by {} RMS in the median. ", rms_text(*best.paper));
+  const PairedFall fall = fall_between(*best.paper, *best.alike, &product::CellComparison::rms_db);
+  return compared +
+         fmt::format(
+             "ours are off by {} RMS in the median, those of the paper's method by {}; ours come closer at {}. ",
+             rms_text(*best.alike), rms_text(*best.paper),
+             fall.better == fall.views ? "all of the views" : fmt::format("{} of the views", fall.better));
 }
 
-/// " and by 2.73 dB (the paper's 3.99 dB) at 3 views that were baked"; empty without such views.
-std::string found_on_grid(const ResultsPlan& plan, const std::vector<ResultsRow>& rows, const ResultsRow& best) {
-  ResultsCase of = best.of;
-  of.kind = ViewKind::OnGrid;
-  const ResultsRow* row = find_row(rows, of);
-  if (summary_cell(row) == nullptr) return {};
-  const ResultsRow* paper = by(Method::Paper, *row, plan, rows);
-  const std::string beside = paper == nullptr || paper == row ? "" : fmt::format(" (the paper's {})", rms_text(*paper));
-  return fmt::format(" and by {}{} at {} that {} baked", rms_text(*row), beside, counted(row->views, "view", "views"),
-                     row->views == 1 ? "was" : "were");
+/// Whether one way is closer than another at more of the views than it is farther off.
+bool is_mostly_closer(const ResultsRow& one, const ResultsRow& other) {
+  constexpr auto rms = &product::CellComparison::rms_db;
+  return fall_between(other, one, rms).better > fall_between(one, other, rms).better;
 }
 
-/// How far the best maps are from traced ones, and what keeps them there.
-std::string found_of_the_best(const ResultsPlan& plan, const Best& best, const std::vector<ResultsRow>& rows) {
-  std::string text = fmt::format("The best maps, *{}*, differ by {}", name_of(*best.of_all), closeness(*best.of_all));
-  const std::string on_grid = found_on_grid(plan, rows, *best.of_all);
-  if (best.paper_alike != nullptr && best.paper_alike != best.of_all) {
-    text +=
-        fmt::format(", where the paper's method from as many directions differs by {}", rms_text(*best.paper_alike));
-    if (!on_grid.empty()) text += ",";
-  }
-  text += on_grid;
-  const auto both = with_own_look(*best.of_all, rows);
-  if (const auto share = both ? both->share_of_missing_angles() : std::nullopt) {
-    text +=
-        fmt::format("; what keeps them from the truth most is missing angles, at least {:.0f} % of their squared error",
-                    100.0 * *share);
-  }
-  return text + ". ";
-}
-
-/// What a map takes, and how closely any could be told from the truth.
-std::string found_of_time_and_truth(const ResultsRow& best) {
-  const product::CellComparison& floor = summary_cell(&best)->floor_median;
-  return fmt::format(
-      "Such a map takes {:.2f} s of processor time, a path-traced one of {} rays a cell {:.0f} s; and since two traced "
-      "maps of one view differ by {} dB themselves, no error below half of that, {} dB, can be shown.",
-      best.render_ms / 1e3, best.rays.fewest, best.trace_seconds, number_text(floor.rms_db, 2),
-      number_text(least_error(floor.rms_db), 2));
+bool is_way(const ResultsRow& row, const ResultsPlan& plan) {
+  const ResultsCase& of = row.of;
+  return is_from_a_grid(of, plan) && of.scene == plan.scene_name() && of.kind == ViewKind::HeldOut &&
+         of.change != renormalized_change && summary_cell(&row) != nullptr &&
+         !std::isnan(summary_cell(&row)->median.rms_db);
 }
 
 }  // namespace
 
 const ResultsRow* best_combination(const ResultsPlan& plan, const std::vector<ResultsRow>& rows,
                                    std::uintmax_t most_bytes) {
-  const ResultsRow* best = nullptr;
+  const auto rms_db = [](const ResultsRow* row) { return summary_cell(row)->median.rms_db; };
+  std::vector<const ResultsRow*> ways;
   for (const ResultsRow& row : rows) {
-    const ResultsCase& of = row.of;
-    const bool is_way = is_from_a_grid(of, plan) && of.scene == plan.scene_name() && of.kind == ViewKind::HeldOut &&
-                        of.change != renormalized_change;
-    const ResultsCell* cell = row.at_cell(summary_cell_m);
-    if (!is_way || cell == nullptr || std::isnan(cell->median.rms_db) || row.atlas.store_bytes > most_bytes) continue;
-    if (best == nullptr || cell->median.rms_db < best->at_cell(summary_cell_m)->median.rms_db) best = &row;
+    if (is_way(row, plan) && row.atlas.store_bytes <= most_bytes) ways.push_back(&row);
+  }
+  if (ways.empty()) return nullptr;
+  std::ranges::stable_sort(ways, {}, rms_db);
+  const ResultsRow* best = ways.front();
+  for (const ResultsRow* way : ways) {
+    if (rms_db(way) - rms_db(ways.front()) < least_fall_db && is_mostly_closer(*way, *best)) best = way;
   }
   return best;
 }
@@ -231,8 +200,9 @@ std::string combinations_table(const ResultsPlan& plan, const std::vector<Result
                                  best->paper->views, summary_cell_m);
   text += way_heads;
   const TracedRays& rays = best->paper->rays;
-  text += fmt::format("| *truth* | one traced map against another, {} rays a cell | {} | | | {:.2f}{} |\n", rays.text(),
-                      metrics_text(best->paper->at_cell(summary_cell_m)->floor_median), best->paper->trace_seconds,
+  text += fmt::format("| *truth* | one traced map against another, {} rays a cell | {} | | | {}{} |\n", rays.text(),
+                      metrics_text(best->paper->at_cell(summary_cell_m)->floor_median),
+                      two_digits(best->paper->trace_seconds),
                       rays.most > rays.fewest ? fmt::format(" with {}", rays.fewest) : "");
   std::vector<const ResultsRow*> told;
   for (const auto& [what, row] : lines) {
@@ -244,7 +214,13 @@ std::string combinations_table(const ResultsPlan& plan, const std::vector<Result
     }
     text += line_of(words, *row);
   }
-  return text + "\n";
+  const double traced_rms_db = summary_cell(best->paper)->floor_median.rms_db;
+  return text +
+         fmt::format(
+             "\nBest is the least RMS, and of ways within {:g} dB of the least the one that is closer at more of "
+             "the views. Since two traced maps of one view differ by {} dB themselves, no error below half of "
+             "that, {} dB, can be shown.\n\n",
+             least_fall_db, number_text(traced_rms_db, 2), number_text(least_error(traced_rms_db), 2));
 }
 
 std::string limits_section(const ResultsPlan& plan, const std::vector<ResultsRow>& rows) {
@@ -253,14 +229,15 @@ std::string limits_section(const ResultsPlan& plan, const std::vector<ResultsRow
   std::string text;
   if (best->in_its_bytes != nullptr) text += limit_of(*best->in_its_bytes, rows);
   if (best->of_all != nullptr && best->of_all != best->in_its_bytes) text += limit_of(*best->of_all, rows);
-  return text.empty() ? text : "### What limits the best of them\n\n" + text;
+  return text.empty() ? text : "## What limits the best of them\n\n" + text;
 }
 
 std::string verdict(const ResultsPlan& plan, const std::vector<ResultsRow>& rows) {
   const auto best = best_of(plan, rows);
   if (!best || best->of_all == nullptr) return {};
-  return found_from_the_papers_looks(plan, *best) + found_of_the_best(plan, *best, rows) +
-         found_of_time_and_truth(*best->of_all) + "\n\n";
+  return found_from_the_papers_looks(plan, *best) +
+         fmt::format("The best maps, *{}*, are off by {}. ", name_of(*best->of_all), rms_text(*best->of_all)) +
+         speed_at_equal_error(plan, rows, *best->of_all) + "\n\n";
 }
 
 }  // namespace sigmascape::cli

@@ -9,7 +9,8 @@
 namespace sigmascape::cli {
 
 /// The way to a map with the least RMS of dB at held-out views, among those with no more bytes than `most_bytes`;
-/// nullptr for none. Ways that need a finer grid's maps to be made are none.
+/// nullptr for none. Of ways whose medians lie within least_fall_db of the least, it is the one that is closer at more
+/// of the views. Ways that need a finer grid's maps to be made are none.
 [[nodiscard]] const ResultsRow* best_combination(const ResultsPlan& plan, const std::vector<ResultsRow>& rows,
                                                  std::uintmax_t most_bytes);
 
@@ -36,15 +37,16 @@ struct ErrorParts {
 [[nodiscard]] double most_correlation(double traced_correlation);
 
 /// Markdown: the paper's method at held-out views, beside it ours from the same looks, the best way that takes no more
-/// bytes, the best of all, and the paper's from the looks of that; empty without held-out views.
+/// bytes, the best of all, and the paper's from the looks of that; below it the rule by which the best are told, and
+/// what no error can be shown below. Empty without held-out views.
 [[nodiscard]] std::string combinations_table(const ResultsPlan& plan, const std::vector<ResultsRow>& rows);
 
 /// Markdown: what limits each of these.
 [[nodiscard]] std::string limits_section(const ResultsPlan& plan, const std::vector<ResultsRow>& rows);
 
-/// What is found, in three sentences: how far our maps and the paper's are from traced ones at held-out views, from the
-/// paper's looks; how far the best are, there and at views that were baked, and what keeps them there; what a map
-/// takes, and below what no error can be shown. Empty without held-out views.
+/// What is found, in a few sentences with few numbers: what is compared; how far our maps and the paper's are from
+/// traced ones at held-out views, from the paper's looks; how far the best are; what such a map takes, and a traced one
+/// that is as close. Empty without held-out views.
 [[nodiscard]] std::string verdict(const ResultsPlan& plan, const std::vector<ResultsRow>& rows);
 
 }  // namespace sigmascape::cli

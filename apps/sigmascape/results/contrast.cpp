@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <utility>
 
 #include "results/columns.h"
 
@@ -16,27 +17,40 @@ std::optional<MeasuredContrast> measured(const Contrast& contrast, const std::ve
   return both;
 }
 
-PairedFall fall_between(const ResultsRow& from, const ResultsRow& to, double product::CellComparison::*error) {
-  PairedFall fall;
-  double sum = 0.0;
+std::vector<FallAtView> falls_at_views(const ResultsRow& from, const ResultsRow& to,
+                                       double product::CellComparison::*error) {
+  std::vector<FallAtView> falls;
   for (const ResultsAtView& before : from.at_views) {
     const auto after = std::ranges::find_if(to.at_views, [&](const ResultsAtView& view) {
       return view.azimuth_deg == before.azimuth_deg && view.elevation_deg == before.elevation_deg;
     });
     if (after == to.at_views.end()) continue;
     const double falls_by = before.tested.*error - after->tested.*error;
-    if (std::isnan(falls_by)) continue;
-    sum += falls_by;
-    ++fall.views;
-    fall.better += falls_by > 0.0 ? 1U : 0U;
+    if (!std::isnan(falls_by)) falls.push_back({before.azimuth_deg, before.elevation_deg, falls_by});
   }
-  if (fall.views > 0) fall.mean = sum / static_cast<double>(fall.views);
+  return falls;
+}
+
+PairedFall paired(const std::vector<FallAtView>& falls) {
+  if (falls.empty()) return {};
+  PairedFall fall{.views = falls.size()};
+  std::vector<double> each;
+  for (const FallAtView& at_view : falls) {
+    each.push_back(at_view.falls_by);
+    fall.better += at_view.falls_by > 0.0 ? 1U : 0U;
+    fall.mean += at_view.falls_by / static_cast<double>(falls.size());
+  }
+  fall.median = median(std::move(each));
   return fall;
 }
 
-std::string fall_text(const PairedFall& fall) {
+PairedFall fall_between(const ResultsRow& from, const ResultsRow& to, double product::CellComparison::*error) {
+  return paired(falls_at_views(from, to, error));
+}
+
+std::string fall_text(const PairedFall& fall, double PairedFall::*middle) {
   if (fall.views == 0) return "– | –";
-  return fmt::format("{} | {} of {}", signed_text(fall.mean, 2), fall.better, fall.views);
+  return fmt::format("{} | {} of {}", signed_text(fall.*middle, 2), fall.better, fall.views);
 }
 
 std::string truth_line(const ResultsPlan& plan, const std::vector<ResultsRow>& rows, ViewKind kind,

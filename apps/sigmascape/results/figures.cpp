@@ -318,9 +318,12 @@ product::PageSection pictured(const Measurement& measurement, const ResultsPlan&
       .paragraphs = {fmt::format(
           "The green pictures are of the sum of polarizations in dB of σ0, all on one scale of {:g} dB, low-pass "
           "filtered as on a scope. The others are error maps, the rendered map over the traced one in cells of {:g} m, "
-          "not filtered: red is too bright, blue too dark, 20 dB or more in full colour; grey is the rim that is not "
-          "compared. Seconds are the processor time of one map.",
-          look.span_db, truth.mean.grid.cell_m)},
+          "not filtered: red is too bright, blue too dark, 20 dB or more in full colour; what is below {:g} dB counts "
+          "as "
+          "{:g} dB in both, so that shadows that both have are white; grey is the rim that is not compared. Seconds "
+          "are "
+          "the processor time of one map.",
+          look.span_db, truth.mean.grid.cell_m, difference.floor_db, difference.floor_db)},
       .figures = {{path("traced"), measured_caption(measurement, plan, view)}}};
   std::vector<product::PageFigure> differences;
   for (const PicturedWay& way : pictured_ways(plan)) {

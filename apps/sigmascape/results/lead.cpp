@@ -4,6 +4,7 @@
 
 #include "results/columns.h"
 #include "results/combinations.h"
+#include "results/results_pages.h"
 #include "words.h"
 
 #include "sigmascape/product/software.h"
@@ -11,33 +12,18 @@
 namespace sigmascape::cli {
 namespace {
 
-struct Sibling {
-  const char* words;
-  const char* page;
-};
-
-/// The pages that `make results` writes.
-constexpr Sibling siblings[] = {{"the paper's scene", "docs/results/README.md"},
-                                {"the same of real materials", "docs/results/itu/README.md"},
-                                {"Bilbao", "docs/results/bilbao/README.md"},
-                                {"San Francisco", "docs/results/san_francisco/README.md"}};
-
 std::string other_pages(const PageLinks& links) {
   std::string text;
-  for (const Sibling& sibling : siblings) {
-    if (links.is_own(sibling.page)) continue;
-    text += (text.empty() ? "Other pages: " : ", ") + links.to(sibling.words, sibling.page);
+  for (const ResultsPage& other : results_pages) {
+    if (links.is_own(other.page)) continue;
+    text += (text.empty() ? "Other pages: " : ", ") + links.to(other.words, other.page);
   }
   return text + ".\n\n";
 }
 
-bool has_the_papers_materials(const ResultsPlan& plan) {
-  return plan.materials == scene::PaperMaterials::Paper;
-}
-
 std::string scene_title(const ResultsReport& report) {
   if (!report.plan.scene_file.empty()) return report.scene;
-  return has_the_papers_materials(report.plan) ? "the paper's scene" : "the paper's scene of real materials";
+  return report.plan.is_the_papers_scene() ? results_pages[0].words : "the paper's scene of real materials";
 }
 
 std::string scene_in_words(const ResultsReport& report) {
@@ -49,7 +35,7 @@ std::string scene_in_words(const ResultsReport& report) {
                           report.links.to("why", "docs/decisions/0134-pages-of-four-hundred-metres.md"));
     }
     return fmt::format("a scene made up after the paper's, {}, with {} materials", size,
-                       has_the_papers_materials(plan) ? "the paper's" : "real buildings' (ITU-R P.2040)");
+                       plan.is_the_papers_scene() ? "the paper's" : "real buildings' (ITU-R P.2040)");
   }
   if (plan.around_m == Vec2d{})
     return fmt::format("a square of {:.0f} m in the middle of {}", plan.side_m(), report.scene);
@@ -105,11 +91,6 @@ std::string words_of_methods(const PageLinks& links) {
       links.to("go where the noise is", "docs/decisions/0097-rays-where-the-noise-is.md"));
 }
 
-std::string words(const ResultsReport& report) {
-  return "The words of this page:\n\n" + words_of_views(report.plan) + words_of_numbers() +
-         words_of_methods(report.links);
-}
-
 /// How well two traced maps agree, and what that leaves a baked map to reach.
 std::string noise_floor_text(const ResultsReport& report) {
   std::string text = fmt::format(
@@ -146,7 +127,12 @@ std::string results_lead(const ResultsReport& report) {
       scene_title(report), verdict(report.plan, report.rows), scene_in_words(report),
       report.plan.scene_file.empty() ? "1 and " : "", other_pages(report.links));
   if (!report.attribution.empty()) text += "Data: " + report.attribution + "\n\n";
-  return text + combinations_table(report.plan, report.rows) + words(report);
+  return text;
+}
+
+std::string words_section(const ResultsReport& report) {
+  return "## The words of this page\n\n" + words_of_views(report.plan) + words_of_numbers() +
+         words_of_methods(report.links);
 }
 
 std::string how_it_was_measured(const ResultsReport& report) {

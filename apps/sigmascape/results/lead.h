@@ -6,8 +6,11 @@
 
 namespace sigmascape::cli {
 
-/// Markdown: what the page is about, what was found, and the words that it uses.
+/// Markdown: what was found, and what the page is about.
 [[nodiscard]] std::string results_lead(const ResultsReport& report);
+
+/// Markdown: the words that the page uses.
+[[nodiscard]] std::string words_section(const ResultsReport& report);
 
 /// Markdown: what was held against what, and how the tables are to be read.
 [[nodiscard]] std::string how_it_was_measured(const ResultsReport& report);

@@ -254,6 +254,26 @@ void MeasuredViews::write() const {
   geo::write_atomically(file_, Json{{"settings", settings_}, {"views", std::move(views)}}.dump() + "\n");
 }
 
+std::vector<ViewResult> results_kept_in(const std::filesystem::path& file) {
+  std::ifstream stream(file);
+  if (!stream) return {};
+  try {
+    const Json json = Json::parse(stream);
+    if (json.at("settings").at("form") != form_of_views) return {};
+    std::vector<ViewResult> results;
+    for (const Json& view : json.at("views")) {
+      const MeasuredView measured = view_in(view);
+      results.insert(results.end(), measured.results.begin(), measured.results.end());
+    }
+    return results;
+  } catch (const Json::exception&) {
+    return {};
+  } catch (const Error&) {
+    // Names of methods that are no more.
+    return {};
+  }
+}
+
 nlohmann::ordered_json settings_of_views(const ResultsPlan& plan, const std::string& scene) {
   Json grids = Json::array();
   for (const LookGrid& grid : plan.grids) grids.push_back(grid.name());

@@ -47,6 +47,10 @@ class MeasuredViews {
   std::vector<MeasuredView> views_;
 };
 
+/// The results of every view that such a file holds, whatever they were measured with; none where there is no such file
+/// or one of another form.
+[[nodiscard]] std::vector<ViewResult> results_kept_in(const std::filesystem::path& file);
+
 /// What decides the numbers of a view besides the view itself: `scene` is a digest of the scene.
 [[nodiscard]] nlohmann::ordered_json settings_of_views(const ResultsPlan& plan, const std::string& scene);
 

@@ -6,19 +6,23 @@
 
 #include "results/causes.h"
 #include "results/changes.h"
+#include "results/claims.h"
 #include "results/columns.h"
 #include "results/combinations.h"
 #include "results/costs.h"
 #include "results/error_tables.h"
 #include "results/lead.h"
 #include "results/noise_tables.h"
+#include "results/overview.h"
 #include "results/tracing.h"
 
 namespace sigmascape::cli {
 namespace {
 
 std::string view_table(const ResultsPlan& plan) {
-  std::string text = "| view | azimuth [°] | elevation [°] | from the nearest look [°] |\n|---|---:|---:|---:|\n";
+  std::string text =
+      fmt::format("| view | azimuth [°] | elevation [°] | from the nearest look of {} [°] |\n|---|---:|---:|---:|\n",
+                  plan.paper_grid().name());
   for (const PlannedView& view : plan.views) {
     text += fmt::format("| {} | {:.1f} | {:.1f} | {:.1f} |\n", text_of(view.kind), view.azimuth_deg, view.elevation_deg,
                         ResultsPlan::distance_deg(view, plan.paper_grid()));
@@ -104,14 +108,15 @@ std::string settings_text(const ResultsReport& report) {
 
 std::string results_markdown(const ResultsReport& report) {
   const ResultsPlan& plan = report.plan;
-  std::string text = results_lead(report) + figures_text(report.figures, report.attribution);
+  std::string text = results_lead(report) + combinations_table(plan, report.rows) + overview_section(report);
+  text += tracing_section(plan, report.rows) + limits_section(plan, report.rows) + claims_section(report);
+  text += words_section(report) + figures_text(report.figures, report.attribution);
   text += how_it_was_measured(report) + summary_section(report) + aims_section(report);
   text += without_noise_section(report) + level_section(report) + causes_section(plan, report.rows);
-  text += changes_section(plan, report.rows) + limits_section(plan, report.rows);
+  text += changes_section(plan, report.rows);
   text += "## Error by angle, bytes and cell size\n\n";
   for (const auto& [name, plot] : plots_of(report)) text += fmt::format("![{}]({})\n\n", plot.title, name);
-  text += cell_section(report) + detail_section(report) + costs_section(report);
-  return text + tracing_section(plan, report.rows) + settings_text(report);
+  return text + cell_section(report) + detail_section(report) + costs_section(report) + settings_text(report);
 }
 
 std::vector<product::PageSection> results_sections(const std::vector<ResultsRow>& rows) {

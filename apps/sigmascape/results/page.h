@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "results/links.h"
+#include "results/neighbours.h"
 #include "results/plan.h"
 #include "results/table.h"
 #include "results/vertices.h"
@@ -31,6 +32,7 @@ struct ResultsReport {
   std::vector<ViewResult> views;
   std::vector<ResultsRow> rows;
   std::vector<product::PageSection> figures;
+  std::vector<Neighbour> neighbours = {};
 };
 
 /// The page as Markdown. Figures are shown by the names of their files, which are to lie beside it, like the plots.

@@ -30,7 +30,8 @@ void add_noise_floor(Plot& plot, const ResultsReport& report) {
 /// RMS error of every view, from the paper's grid, over how far its line of sight is from the nearest baked one.
 Plot by_distance(const ResultsReport& report) {
   const ResultsPlan& plan = report.plan;
-  Plot plot{.title = "Error by distance from the nearest baked look, one point a view",
+  Plot plot{.title = fmt::format("Error by distance from the nearest look of the {} grid, one point a view",
+                                 plan.paper_grid().name()),
             .x_label = "angle between lines of sight [°]",
             .y_label = fmt::format("RMS at {:.0f} m cells [dB]", summary_cell_m)};
   for (const Method method : methods) {
@@ -50,23 +51,38 @@ Plot by_distance(const ResultsReport& report) {
   return plot;
 }
 
+/// One way to a map from every grid that it was measured from, by bytes; grids are named at the points of the paper's
+/// method and of ours, between which the others crowd.
+PlotSeries from_every_grid(const ResultsReport& report, ResultsCase way) {
+  PlotSeries series{.name = way_text(way), .joined = true};
+  for (const LookGrid& grid : report.plan.grids) {
+    way.grid = grid.name();
+    const ResultsRow* row = find_row(report.rows, way);
+    const ResultsCell* cell = summary_cell(row);
+    if (cell == nullptr) continue;
+    series.points.emplace_back(static_cast<double>(row->atlas.store_bytes) / 1e6, cell->median.rms_db);
+    const bool is_named = way.change.empty() && (way.method == Method::Paper || way.method == Method::OwnGround);
+    if (is_named) series.labels.push_back(grid.name());
+  }
+  return series;
+}
+
 Plot by_bytes(const ResultsReport& report) {
+  const ResultsPlan& plan = report.plan;
   Plot plot{.title = "Error of held-out views by bytes stored",
             .x_label = "store [MB]",
             .y_label = fmt::format("RMS at {:.0f} m cells [dB]", summary_cell_m),
             .x_is_logarithmic = true};
-  for (const Method method : methods) {
-    PlotSeries& series = plot.series.emplace_back(PlotSeries{.name = text_of(method), .joined = true});
-    for (const LookGrid& grid : report.plan.grids) {
-      const ResultsRow* row = find_row(report.rows, {.scene = report.plan.scene_name(),
-                                                     .method = method,
-                                                     .grid = grid.name(),
-                                                     .baked_samples = report.plan.baked_samples});
-      const ResultsCell* cell = summary_cell(row);
-      if (cell == nullptr) continue;
-      series.points.emplace_back(static_cast<double>(row->atlas.store_bytes) / 1e6, cell->median.rms_db);
-    }
-  }
+  for (const Method method : methods)
+    plot.series.push_back(from_every_grid(
+        report, {.scene = plan.scene_name(), .method = method, .grid = {}, .baked_samples = plan.baked_samples}));
+  PlotSeries as_usual = from_every_grid(report, {.scene = plan.scene_name(),
+                                                 .method = Method::OwnGround,
+                                                 .grid = {},
+                                                 .baked_samples = 0,
+                                                 .change = adaptive_change});
+  as_usual.name = fmt::format("the same, {}", adaptive_change);
+  if (!as_usual.points.empty()) plot.series.push_back(as_usual);
   add_noise_floor(plot, report);
   return plot;
 }

@@ -103,7 +103,7 @@ struct ResultsPlan {
 
   static constexpr double texel_m = 2000.0 / 1024.0;  ///< the paper's
   /// Rays a 2 m cell of traced maps that are held against the truth as a way of their own.
-  static constexpr std::uint32_t few_traced_samples[] = {16, 64, 256};
+  static constexpr std::uint32_t few_traced_samples[] = {1, 4, 16, 64, 256};
 
   /// Rays a 2 m cell of one traced map of a view. Views that were baked are held to the highest aims and get as many
   /// as the looks that are baked again.
@@ -118,6 +118,10 @@ struct ResultsPlan {
   [[nodiscard]] double side_m() const { return 2000.0 * scale; }
   /// What the kept files of the scene are named after: "hills" for the paper's scene, "place" for another.
   [[nodiscard]] std::string scene_name() const { return scene_file.empty() ? "hills" : "place"; }
+  /// Whether it is the paper's own scene: neither another place nor of other materials.
+  [[nodiscard]] bool is_the_papers_scene() const {
+    return scene_file.empty() && materials == scene::PaperMaterials::Paper;
+  }
   /// Whether the same is measured on level ground too, as it is of the paper's scene.
   [[nodiscard]] bool has_level_ground() const { return scene_file.empty(); }
   /// The grid that all methods have and most tables are about: the paper's with five elevations.

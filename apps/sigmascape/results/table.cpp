@@ -33,14 +33,6 @@ constexpr Metric metrics[] = {
     {"shadow_iou", &CellComparison::shadow_iou, low_is_bad},
 };
 
-double median(std::vector<double> values) {
-  std::erase_if(values, [](double value) { return std::isnan(value); });
-  if (values.empty()) return not_defined;
-  std::ranges::sort(values);
-  const std::size_t half = values.size() / 2;
-  return values.size() % 2 == 1 ? values[half] : (values[half - 1] + values[half]) / 2.0;
-}
-
 double worst(std::vector<double> values, Badness badness) {
   std::erase_if(values, [](double value) { return std::isnan(value); });
   return values.empty() ? not_defined : *std::ranges::max_element(values, {}, badness);
@@ -246,6 +238,14 @@ nlohmann::ordered_json settings_json(const ResultsPlan& plan) {
 }
 
 }  // namespace
+
+double median(std::vector<double> values) {
+  std::erase_if(values, [](double value) { return std::isnan(value); });
+  if (values.empty()) return not_defined;
+  std::ranges::sort(values);
+  const std::size_t half = values.size() / 2;
+  return values.size() % 2 == 1 ? values[half] : (values[half - 1] + values[half]) / 2.0;
+}
 
 std::string TracedRays::text() const {
   return fewest == most ? fmt::format("{}", fewest) : fmt::format("{} to {}", fewest, most);

@@ -51,6 +51,9 @@ struct ResultsCase {
   friend bool operator==(const ResultsCase&, const ResultsCase&) = default;
 };
 
+/// Of those that are numbers, of an even count the mean of the middle two; NaN for none.
+[[nodiscard]] double median(std::vector<double> values);
+
 /// Method and change, "ours, on its own ground, rays where the noise is".
 [[nodiscard]] std::string way_text(const ResultsCase& of);
 

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <limits>
+#include <utility>
+#include <vector>
 
 namespace sigmascape::product {
 namespace {
@@ -12,6 +14,7 @@ constexpr double left = 64, right = 16, top = 36, bottom = 56;
 /// Told apart by those who do not see all colours (M. Okabe, K. Ito, "Color Universal Design", 2008).
 constexpr Rgba colours[] = {{0x00, 0x72, 0xb2}, {0xd5, 0x5e, 0x00}, {0x00, 0x9e, 0x73},
                             {0xcc, 0x79, 0xa7}, {0xe6, 0x9f, 0x00}, {0x56, 0xb4, 0xe9}};
+constexpr double names_row = 16.0, names_spare = 10.0;
 constexpr Rgba grid_grey{0xdd, 0xdd, 0xdd};
 /// Names are read over it, and curves beneath it are still made out.
 constexpr Rgba behind_names{0xff, 0xff, 0xff, 0xd9};
@@ -128,6 +131,8 @@ class PlotDrawer {
   Drawing drawn() {
     frame();
     for (std::size_t i = 0; i < plot_.series.size(); ++i) series(plot_.series[i], colour_of(i));
+    place_names();
+    labels();
     legend();
     return std::move(drawing_);
   }
@@ -184,70 +189,142 @@ class PlotDrawer {
       if (series.joined && stroke.points.size() > 1) drawing_.marks.emplace_back(stroke);
       stroke.points.clear();
     };
-    for (const auto& point : series.points) {
+    for (std::size_t i = 0; i < series.points.size(); ++i) {
+      const auto& point = series.points[i];
       if (!is_shown(point)) {
         end_stroke();
         continue;
       }
       const Vec2d place{x_.place_of(point.first), y_.place_of(point.second)};
       if (series.dots) drawing_.marks.emplace_back(Dot{place, 3.5, ink});
+      if (i < series.labels.size()) labels_.push_back({place, series.labels[i]});
+      take(place);
+      if (series.joined && !stroke.points.empty()) take_line(stroke.points.back(), place);
       stroke.points.push_back(place);
     }
     end_stroke();
   }
 
-  /// Side by side where there are more names than fit above one another; of so many that even these do not, every
-  /// other, or third and so on.
-  void legend() {
-    constexpr double row = 16.0, spare = 10.0;
-    const double foot = drawing_.height - bottom, end = drawing_.width - right;
-    std::vector<std::size_t> named;
-    std::size_t longest = 0;
-    for (std::size_t i = 0; i < plot_.series.size(); ++i) {
-      if (plot_.series[i].name.empty()) continue;
-      named.push_back(i);
-      longest = std::max(longest, plot_.series[i].name.size());
-    }
-    if (named.empty()) return;
-    const double width = 30.0 + 6.5 * static_cast<double>(longest);
-    const auto most_rows = static_cast<std::size_t>((foot - top - spare) / row);
-    const auto most_columns = std::max<std::size_t>(1, static_cast<std::size_t>((end - left) / width));
-    const std::size_t every = (named.size() - 1) / (most_rows * most_columns) + 1;
-    const std::size_t shown = (named.size() - 1) / every + 1;
-    const std::size_t columns = (shown - 1) / most_rows + 1, rows = (shown - 1) / columns + 1;
-
-    // In that corner below the points, or above them, which comes near fewest of them.
-    const Vec2d size{width * static_cast<double>(columns), row * static_cast<double>(rows) + spare};
-    Vec2d best{left, foot - size.y};
-    std::size_t fewest = std::numeric_limits<std::size_t>::max();
-    for (const Vec2d corner : {best, Vec2d{end - size.x, foot - size.y}, Vec2d{end - size.x, top}, Vec2d{left, top}}) {
-      const std::size_t covered = points_within(corner, size);
-      if (covered < fewest) fewest = covered, best = corner;
-    }
-    drawing_.marks.emplace_back(Patch{best, size, behind_names});
-    for (std::size_t k = 0; k < shown; ++k) {
-      const std::size_t i = named[k * every];
-      const Vec2d at = best + Vec2d{width * static_cast<double>(k / rows), row * static_cast<double>(k % rows + 1)};
-      drawing_.marks.emplace_back(Dot{{at.x + 12, at.y - 4}, 4.0, colour_of(i)});
-      words({at.x + 22, at.y}, Anchor::Start, plot_.series[i].name);
+  /// Each above or below its point, to the right or to the left, where least is hidden.
+  void labels() {
+    constexpr double height = 12.0, aside = 6.0, below = 15.0;
+    for (const auto& [point, text] : labels_) {
+      const Vec2d size{width_of(text), height};
+      std::vector<Vec2d> starts;
+      for (const double y : {point.y - aside, point.y + below}) {
+        for (const double x : {point.x + aside, point.x - aside - size.x}) {
+          if (x > left && x + size.x < drawing_.width) starts.push_back({x, y});
+        }
+      }
+      if (starts.empty()) continue;  // wider than the picture
+      const Vec2d start = *std::ranges::min_element(starts, {}, [&](Vec2d at) {
+        return taken_within(at - Vec2d{0.0, height}, size);
+      });
+      words(start, Anchor::Start, text);
+      // Along its middle, so that no other is written over it.
+      const Vec2d middle = start - Vec2d{0.0, height / 2.0};
+      take(middle);
+      take_line(middle, middle + Vec2d{size.x, 0.0});
     }
   }
 
-  [[nodiscard]] std::size_t points_within(Vec2d corner, Vec2d size) const {
-    std::size_t count = 0;
-    for (const PlotSeries& series : plot_.series) {
-      for (const auto& point : series.points) {
-        if (!is_shown(point)) continue;
-        const double x = x_.place_of(point.first) - corner.x, y = y_.place_of(point.second) - corner.y;
-        if (x >= 0.0 && y >= 0.0 && x <= size.x && y <= size.y) ++count;
+  /// Of a letter in most fonts; those of more than one byte count as several, which leaves room.
+  static double width_of(const std::string& text) { return 6.5 * static_cast<double>(text.size()); }
+
+  /// Of many that lie closely, one: names are placed among at most so many as the picture has room for.
+  void take(Vec2d place) {
+    constexpr double apart = 4.0;
+    const auto place_on = [](double along, double size) {
+      return static_cast<std::size_t>(std::clamp(along, 0.0, size) / apart);
+    };
+    const std::size_t columns = place_on(drawing_.width, drawing_.width) + 1;
+    const std::size_t rows = place_on(drawing_.height, drawing_.height) + 1;
+    is_taken_.resize(columns * rows);
+    auto is_taken = is_taken_[place_on(place.y, drawing_.height) * columns + place_on(place.x, drawing_.width)];
+    if (!is_taken) taken_.push_back(place);
+    is_taken = true;
+  }
+
+  /// The places on the way from one to another, the ends left out.
+  void take_line(Vec2d from, Vec2d to) {
+    constexpr double apart = 8.0;
+    const auto parts = static_cast<int>(length(to - from) / apart) + 1;
+    for (int i = 1; i < parts; ++i) take(from + (to - from) * (static_cast<double>(i) / parts));
+  }
+
+  /// Side by side where there are more names than fit above one another; of so many that even these do not, every
+  /// other, or third and so on. In a corner, or, where they would hide something in each, where they hide least.
+  void place_names() {
+    const double foot = drawing_.height - bottom, end = drawing_.width - right;
+    std::vector<std::size_t> named;
+    double longest = 0.0;
+    for (std::size_t i = 0; i < plot_.series.size(); ++i) {
+      if (plot_.series[i].name.empty()) continue;
+      named.push_back(i);
+      longest = std::max(longest, width_of(plot_.series[i].name));
+    }
+    if (named.empty()) return;
+    const double width = 30.0 + longest;
+    const auto most_rows = static_cast<std::size_t>((foot - top - names_spare) / names_row);
+    const auto most_columns = std::max<std::size_t>(1, static_cast<std::size_t>((end - left) / width));
+    const std::size_t every = (named.size() - 1) / (most_rows * most_columns) + 1;
+    for (std::size_t k = 0; k < named.size(); k += every) names_.shown.push_back(named[k]);
+    const std::size_t columns = (names_.shown.size() - 1) / most_rows + 1;
+    names_.rows = (names_.shown.size() - 1) / columns + 1;
+    names_.width = width;
+    names_.size = {width * static_cast<double>(columns), names_row * static_cast<double>(names_.rows) + names_spare};
+
+    const Vec2d& size = names_.size;
+    std::vector<Vec2d> corners{{left, foot - size.y}, {end - size.x, foot - size.y}, {end - size.x, top}, {left, top}};
+    constexpr double step = 8.0;
+    const auto hidden = [&](Vec2d corner) { return taken_within(corner, size); };
+    if (std::ranges::none_of(corners, [&](Vec2d corner) { return hidden(corner) == 0; })) {
+      for (double y = foot - size.y - step; y > top; y -= step) {
+        for (double x = left; x <= end - size.x; x += step) corners.push_back({x, y});
       }
     }
-    return count;
+    names_.corner = *std::ranges::min_element(corners, {}, hidden);
+    for (double y = 0.0; y <= size.y; y += step)
+      take_line(names_.corner + Vec2d{0.0, y}, names_.corner + Vec2d{size.x, y});
+  }
+
+  void legend() {
+    if (names_.shown.empty()) return;
+    drawing_.marks.emplace_back(Patch{names_.corner, names_.size, behind_names});
+    for (std::size_t k = 0; k < names_.shown.size(); ++k) {
+      const Vec2d at = names_.corner + Vec2d{names_.width * static_cast<double>(k / names_.rows),
+                                             names_row * static_cast<double>(k % names_.rows + 1)};
+      drawing_.marks.emplace_back(Dot{{at.x + 12, at.y - 4}, 4.0, colour_of(names_.shown[k])});
+      words({at.x + 22, at.y}, Anchor::Start, plot_.series[names_.shown[k]].name);
+    }
+  }
+
+  [[nodiscard]] std::ptrdiff_t taken_within(Vec2d corner, Vec2d size) const {
+    return std::ranges::count_if(taken_, [&](Vec2d place) {
+      const Vec2d from = place - corner;
+      return from.x >= 0.0 && from.y >= 0.0 && from.x <= size.x && from.y <= size.y;
+    });
   }
 
   const Plot& plot_;
   Drawing drawing_;
   Axis x_, y_;
+  struct Label {
+    Vec2d point;
+    std::string text;
+  };
+  std::vector<Label> labels_;
+  std::vector<bool> is_taken_;  ///< by place, row by row
+  std::vector<Vec2d> taken_;    ///< by points, lines and words: where more words would hide something
+
+  /// Where the names of the series stand, which of them, and in how many rows of columns so wide.
+  struct Names {
+    std::vector<std::size_t> shown;
+    std::size_t rows = 0;
+    double width = 0.0;
+    Vec2d corner, size;
+  };
+  Names names_;
 };
 
 }  // namespace

@@ -15,6 +15,8 @@ struct PlotSeries {
   std::vector<std::pair<double, double>> points = {};
   bool joined = false;  ///< a line through the points, in their order
   bool dots = true;     ///< a dot on each point
+  /// Written beside the points, in their order; points beyond have none.
+  std::vector<std::string> labels = {};
 };
 
 struct Plot {
@@ -29,8 +31,9 @@ struct Plot {
   std::vector<PlotSeries> series = {};
 };
 
-/// A picture of 640 × 400 units. Points with a number that is not finite, and those below the floor, are
-/// left out and break lines.
+/// A picture of 640 × 400 units. The names stand in a corner, or, where they would hide something in each, where they
+/// hide least of points and lines. Points with a number that is not finite, and those below the floor, are left out and
+/// break lines.
 [[nodiscard]] Drawing drawing_of(const Plot& plot);
 
 /// The plot as an SVG picture that stands alone.

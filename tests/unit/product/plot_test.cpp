@@ -162,6 +162,45 @@ TEST(Plot, NamesStandOnPaperOfTheirOwn) {
   EXPECT_TRUE(std::holds_alternative<Words>(drawing.marks.back())) << "and not beneath it";
 }
 
+TEST(Plot, LabelsStandBesideTheirPointsWithinThePicture) {
+  Plot plot = with_points({{1.0, 1.0}, {2.0, 2.0}, {3.0, 3.0}});
+  plot.series[0].labels = {"first", "second", "the very last one"};
+  const Drawing drawing = drawing_of(plot);
+  const auto dots = marks_of<Dot>(drawing);
+  const auto label = [&](const std::string& text) {
+    const auto words = marks_of<Words>(drawing);
+    return *std::ranges::find(words, text, &Words::text);
+  };
+  for (const auto& [text, i] : {std::pair("first", 0U), {"second", 1U}, {"the very last one", 2U}}) {
+    const Words words = label(text);
+    const double width = 6.5 * static_cast<double>(words.text.size());
+    EXPECT_NEAR(words.at.y, dots[i].centre.y, 16.0) << text;
+    EXPECT_LT(words.at.x, dots[i].centre.x + 10.0) << text;
+    EXPECT_GT(words.at.x + width, dots[i].centre.x - 10.0) << text;
+    EXPECT_LT(words.at.x + width, drawing.width) << text;
+  }
+}
+
+// A level line has two points, and all that is between is hidden as well.
+TEST(Plot, NamesHideNoLineWhereAnotherPlaceIsFree) {
+  Plot plot = with_points({{1.0, 6.0}, {4.0, 5.0}, {10.0, 4.0}});
+  plot.series[0].name = "falling";
+  plot.series.push_back({.name = "high", .points = {{1.0, 6.3}, {10.0, 6.3}}, .joined = true, .dots = false});
+  plot.series.push_back({.name = "level", .points = {{1.0, 1.0}, {10.0, 1.0}}, .joined = true, .dots = false});
+  const Drawing drawing = drawing_of(plot);
+  const Patch names = marks_of<Patch>(drawing).at(0);
+  for (const Stroke& stroke : marks_of<Stroke>(drawing)) {
+    if (stroke.width != 1.5) continue;  // marks of the axes
+    for (std::size_t i = 1; i < stroke.points.size(); ++i) {
+      for (int part = 0; part <= 100; ++part) {
+        const Vec2d from =
+            stroke.points[i - 1] + (stroke.points[i] - stroke.points[i - 1]) * (part / 100.0) - names.corner;
+        EXPECT_FALSE(from.x > 0.0 && from.y > 0.0 && from.x < names.size.x && from.y < names.size.y);
+      }
+    }
+  }
+}
+
 TEST(Drawing, PatchesCoverAsMuchAsTheirAlphaSays) {
   Drawing drawing{.width = 20.0, .height = 10.0, .marks = {}};
   drawing.marks.emplace_back(Patch{{5.0, 2.0}, {10.0, 6.0}, {0, 0, 0, 255}});

@@ -26,6 +26,8 @@ TEST(ResultsCaptions, SayHowCloseAMapComesAndWhatItTakes) {
   ViewResult view = made_view(made_plan());
   EXPECT_EQ(caption_of(view),
             "paper, 8 × 5: correlation 0.820, 8.60 dB RMS at 8 m cells; 0.13 s, 26.84 MB stored, 35.79 MB in memory");
+  view.noise_floor.at = {{.cell_m = summary_cell_m, .correlation_db = 0.985, .rms_db = 1.79}};
+  EXPECT_THAT(caption_of(view), ::testing::HasSubstr("8.60 dB RMS at 8 m cells (two traced maps: 1.79 dB); 0.13 s"));
   view.comparison.at.clear();
   EXPECT_EQ(caption_of(view), "paper, 8 × 5: 0.13 s, 26.84 MB stored, 35.79 MB in memory") << "maps too small";
 }

@@ -88,6 +88,7 @@ TEST(ResultsChanges, AreWeighedViewByView) {
   EXPECT_EQ(fall.views, 3U) << "of a view that only one was measured at there is no difference";
   EXPECT_EQ(fall.better, 2U);
   EXPECT_NEAR(fall.mean, -0.3, 1e-12);
+  EXPECT_NEAR(fall.median, 0.1, 1e-12);
   EXPECT_THAT(changes_table(plan, {before, after}), HasSubstr("| -0.30 | 2 of 3 | kept, costs here |\n"));
 }
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 #include <limits>
+#include <utility>
 
 namespace sigmascape::cli {
 namespace {
@@ -15,6 +16,21 @@ TEST(ResultsColumns, WhatRoundsToNothingHasNoSign) {
   EXPECT_EQ(signed_text(+0.006, 2), "+0.01");
   EXPECT_EQ(number_text(-0.0004, 3), "0.000");
   EXPECT_EQ(number_text(-0.25, 2), "-0.25");
+}
+
+TEST(ResultsColumns, TwoDigitsThatCountAreAlwaysWritten) {
+  for (const auto& [value, text] : {std::pair(0.0, "0"),
+                                    {0.0181, "0.018"},
+                                    {0.428, "0.43"},
+                                    {0.0996, "0.10"},
+                                    {1.0, "1.0"},
+                                    {1.94, "1.9"},
+                                    {9.96, "10"},
+                                    {15.48, "15"},
+                                    {238.03, "238"},
+                                    {-0.25, "-0.25"}})
+    EXPECT_EQ(two_digits(value), text);
+  EXPECT_EQ(two_digits(not_defined), "–");
 }
 
 TEST(ResultsColumns, WhatIsNotDefinedIsADash) {

@@ -184,6 +184,44 @@ TEST_F(MeasuredViewsTest, WhatDoesNotFitIsRefusedOrWrittenOver) {
   EXPECT_EQ(anew.find(plan_.scene_name(), plan_.views.front()), nullptr);
 }
 
+TEST_F(MeasuredViewsTest, ResultsOfAnotherRunAreReadWhateverItsSettings) {
+  ResultsPlan other = plan_;
+  other.bounces = 3;
+  MeasuredViews kept{folder_.path("other.json"), settings_of_views(other, "another")};
+  kept.add(made_view(plan_, plan_.views.front()));
+  const auto results = results_kept_in(folder_.path("other.json"));
+  const auto made = made_view(plan_, plan_.views.front()).results;
+  EXPECT_EQ(results_json(plan_, rows_of(results), results), results_json(plan_, rows_of(made), made));
+}
+
+TEST_F(MeasuredViewsTest, NoResultsAreReadFromWhatIsAbsentDamagedOrOfAnotherForm) {
+  EXPECT_TRUE(results_kept_in(folder_.path("absent.json")).empty());
+  for (const char* text :
+       {"", "{}", "[1, 2", R"({"settings": 1, "views": 2})", R"({"settings": {"form": 4}, "views": []})"})
+    EXPECT_TRUE(results_kept_in(folder_.write("damaged.json", text)).empty()) << text;
+  auto settings = settings_of_views(plan_, "digest");
+  settings["form"] = settings.at("form").get<int>() - 1;
+  MeasuredViews kept{folder_.path("older.json"), settings};
+  kept.add(made_view(plan_, plan_.views.front()));
+  EXPECT_TRUE(results_kept_in(folder_.path("older.json")).empty());
+}
+
+// Maps of fewer rays are traced from now on; views that were measured without them stay as they are.
+TEST_F(MeasuredViewsTest, AViewIsKeptWithWhicheverFewRaysItWasTraced) {
+  MeasuredViews kept = views("measured.json");
+  MeasuredView old = made_view(plan_, plan_.views.front());
+  for (const std::uint32_t samples : {16U, 64U, 256U}) {
+    ViewResult& traced = old.results.emplace_back(made_result(plan_, plan_.views.front(), Method::Traced));
+    traced.of.baked_samples = samples;
+  }
+  kept.add(old);
+  MeasuredViews again = views("measured.json");
+  again.go_on();
+  const MeasuredView* found = again.find(plan_.scene_name(), plan_.views.front());
+  ASSERT_NE(found, nullptr) << "it would be measured anew";
+  EXPECT_EQ(found->results.size(), old.results.size());
+}
+
 TEST_F(MeasuredViewsTest, ADamagedFileIsNamed) {
   for (const char* text : {"", "{}", "[1, 2", R"({"settings": 1, "views": 2})"}) {
     folder_.write("damaged.json", text);

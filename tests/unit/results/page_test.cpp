@@ -1,11 +1,12 @@
 #include "results/page.h"
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <tuple>
 
-#include "made_rows.h"
+#include "made_report.h"
 
 namespace sigmascape::cli {
 namespace {
@@ -13,35 +14,6 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::Not;
 using ::testing::StartsWith;
-
-/// A report of made numbers: the paper's method and ours at views of both kinds, from two grids each.
-ResultsReport made_report(bool is_a_place) {
-  ResultsReport report{.plan = made_plan(),
-                       .scene = "Harbour",
-                       .attribution = {},
-                       .machine = "a machine",
-                       .command_line = "sigmascape results",
-                       .links = PageLinks("docs/results/itu/README.md"),
-                       .vertices = {.terrain = 100, .objects = 900},
-                       .tracing_memory_bytes = 1'000'000,
-                       .patches = 4,
-                       .views = {},
-                       .rows = {},
-                       .figures = {{.heading = "Figures 5 and 6: the scene", .figures = {{"a.png", "above"}}}}};
-  if (is_a_place) report.plan.scene_file = "harbour.toml";
-  for (const ViewKind kind : {ViewKind::OnGrid, ViewKind::HeldOut}) {
-    for (const Method method : {Method::Paper, Method::OwnGround}) {
-      ResultsCase of = made_case(report.plan, method, kind);
-      // What two grids both hold comes out the same, what only one holds does not.
-      const double rms_db = method == Method::Paper ? 8.0 : 5.0;
-      of.grid = report.plan.grids.front().name();
-      report.rows.push_back(made_row(of, kind == ViewKind::OnGrid ? rms_db : rms_db + 1.0, 0.5, 1'000'000));
-      of.grid = report.plan.paper_grid().name();
-      report.rows.push_back(made_row(of, rms_db, 0.5, 2'000'000));
-    }
-  }
-  return report;
-}
 
 /// Of the paper's method at a held-out view, with nothing measured.
 ViewResult unmeasured_view() {
@@ -54,16 +26,35 @@ ViewResult unmeasured_view() {
           .noise_by_level = {}};
 }
 
-TEST(ResultsPage, OpensWithItsSceneTheVerdictAndTheFiguresBeforeTheTables) {
-  const std::string page = results_markdown(made_report(true));
+TEST(ResultsPage, OpensWithTheVerdictTheFirstTableItsSpeedAndItsLimitsBeforeWordsAndFigures) {
+  ResultsReport report = made_report(true);
+  ResultsCase traced{.scene = report.plan.scene_name(), .method = Method::Traced, .grid = {}, .baked_samples = 16};
+  ResultsCase look = made_case(report.plan, Method::OwnGround, ViewKind::HeldOut);
+  look.grid = own_look;
+  for (const ResultsCase& of : {traced, look}) report.rows.push_back(made_row(of, 4.0, 0.4));
+  const std::string page = results_markdown(report);
   EXPECT_THAT(page, StartsWith("# How close the baked map is: Harbour\n"));
   std::size_t last = 0;
-  for (const char* part :
-       {"Maps rendered from textures that were baked", "Such a map takes", "Visina", "its Figures 5 to 8",
-        "[Bilbao](../bilbao/README.md)", "| *truth* |", "The words of this page", "## Figures 5 and 6",
-        "## How it was measured", "## Every method and grid of looks, at 8 m cells", "## Why", "## Cheap wins",
-        "## Error by angle, bytes and cell size", "## By cell size", "## Bytes and time", "## Settings", "<details>",
-        "| view | azimuth"}) {
+  for (const char* part : {"Maps rendered from baked textures",
+                           "Such a map takes",
+                           "Visina",
+                           "its Figures 5 to 8",
+                           "[Bilbao](../bilbao/README.md)",
+                           "| *truth* |",
+                           "\n## What tracing to the same error takes",
+                           "\n## What limits the best of them",
+                           "\n## The words of this page",
+                           "## Figures 5 and 6",
+                           "## How it was measured",
+                           "## Every method and grid of looks, at 8 m cells",
+                           "## Why",
+                           "## Cheap wins",
+                           "## Error by angle, bytes and cell size",
+                           "## By cell size",
+                           "## Bytes and time",
+                           "## Settings",
+                           "<details>",
+                           "| view | azimuth"}) {
     const std::size_t place = page.find(part, last);
     EXPECT_NE(place, std::string::npos) << part << " is missing or not where it should be";
     if (place != std::string::npos) last = place;
@@ -147,6 +138,31 @@ TEST(ResultsPage, PlotsHaveTheLeastErrorThatCanBeShown) {
     for (const auto& [x, rms_db] : floor.points)
       EXPECT_EQ(rms_db, 1.0) << name << ", half of what two traced maps differ by";
   }
+}
+
+TEST(ResultsPage, PlotOfBytesHasTheDefaultBakeAndTheGridsOfItsPoints) {
+  ResultsReport report = made_report(true);
+  ResultsCase usual = made_case(report.plan, Method::OwnGround, ViewKind::HeldOut);
+  usual.baked_samples = 0;
+  usual.change = adaptive_change;
+  report.rows.push_back(made_row(usual, 4.5, 0.4, 3'000'000));
+  const auto plots = plots_of(report);
+  const Plot& plot = plots.at(1).second;
+  ASSERT_EQ(plots.at(1).first, "error_by_bytes.svg");
+  const auto series_of = [&](const std::string& name) {
+    return std::ranges::find(plot.series, name, &PlotSeries::name);
+  };
+  const auto ours = series_of("ours, on its own ground"), as_usual = series_of("the same, rays where the noise is");
+  ASSERT_NE(ours, plot.series.end());
+  ASSERT_NE(as_usual, plot.series.end());
+  EXPECT_EQ(ours->labels, (std::vector<std::string>{"8 × 4", "8 × 5"}));
+  EXPECT_EQ(as_usual->points, (std::vector{std::pair(3.0, 4.5)}));
+}
+
+TEST(ResultsPage, NamesTheGridThatDistancesAreFrom) {
+  const ResultsReport report = made_report(true);
+  EXPECT_THAT(plots_of(report).front().second.title, HasSubstr("nearest look of the 8 × 5 grid"));
+  EXPECT_THAT(results_markdown(report), HasSubstr("| from the nearest look of 8 × 5 [°] |"));
 }
 
 TEST(ResultsPage, SaysAtHowManyViewsAnAimIsReached) {
