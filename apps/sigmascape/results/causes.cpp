@@ -183,15 +183,19 @@ std::string flat_shadows_text(const ResultsPlan& plan, const std::vector<Results
   const WeighedCause* cause = largest_at(weighed, worst.azimuth_deg, worst.elevation_deg);
   const bool is_far_off = std::abs(worst.tested.bias_db) >= least_bias_db;
   if (!is_far_off || cause == nullptr || cause->contrast.name != flat_shadows) return {};
+  const auto fall = std::ranges::find_if(
+      cause->falls, [&](const FallAtView& view) { return view.is_at(worst.azimuth_deg, worst.elevation_deg); });
   const bool is_dark = worst.tested.bias_db < 0.0;
   return fmt::format(
-      "The paper's method is farthest off at azimuth {:.1f}°, elevation {:.1f}°: {} dB too {}, {} dB RMS, correlation "
-      "{}. There flat-ground shadows are the largest cause. They are {:.1f} times as long as what casts them is high, "
-      "and lie so in its textures; on slopes that face {} the radar true shadows are {}.",
+      "The total power of the paper's maps is farthest off at azimuth {:.1f}°, elevation {:.1f}°: {} dB too {}, {} dB "
+      "RMS, correlation "
+      "{}. There flat-ground shadows are the largest cause: our own maps come closer by {} dB when shadows are made "
+      "at run time. Baked ones are {:.1f} times as long as what casts them is high, "
+      "whatever the slope; on those that face {} the radar true shadows are {}.",
       worst.azimuth_deg, worst.elevation_deg, number_text(std::abs(worst.tested.bias_db), 2),
       is_dark ? "dark" : "bright", number_text(worst.tested.rms_db, 2), number_text(worst.tested.correlation_db, 3),
-      1.0 / std::tan(radians_from_deg(worst.elevation_deg)), is_dark ? "towards" : "away from",
-      is_dark ? "shorter" : "longer");
+      number_text(fall->falls_by, 2), 1.0 / std::tan(radians_from_deg(worst.elevation_deg)),
+      is_dark ? "towards" : "away from", is_dark ? "shorter" : "longer");
 }
 
 std::string causes_section(const ResultsPlan& plan, const std::vector<ResultsRow>& rows) {

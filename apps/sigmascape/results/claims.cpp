@@ -41,10 +41,12 @@ std::string likeness(const ResultsReport& report) {
                   "at that view the correlation of dB at {:.0f} m cells is {}, of ours {}, of two traced maps {}",
                   summary_cell_m, number_text(its.correlation_db, 3), number_text(our.correlation_db, 3),
                   number_text(traced.correlation_db, 3))) +
-         line("\"terrain patterns, especially those from building and terrain self-shadows, are highly correlated\"",
-              fmt::format("there the shadow IoU is {}, of ours {}, of two traced maps {}",
-                          number_text(its.shadow_iou, 2), number_text(our.shadow_iou, 2),
-                          number_text(traced.shadow_iou, 2)));
+         line(
+             "\"overall terrain patterns, especially those from building and terrain self-shadows, are highly "
+             "correlated\"",
+             fmt::format("there the shadow IoU is {}, of ours {}, of two traced maps {}",
+                         number_text(its.shadow_iou, 2), number_text(our.shadow_iou, 2),
+                         number_text(traced.shadow_iou, 2)));
 }
 
 /// Power, and what a map takes, at views that were not baked.
@@ -60,7 +62,7 @@ std::string power_and_speed(const ResultsReport& report, const BothMethods& from
          line("\"rendering time is reduced to the order of milliseconds\"",
               fmt::format("{:.0f} ms a map, ours {:.0f} ms", from.paper->render_ms, from.ours->render_ms)) +
          line("\"computed in only fractions of the time\"",
-              speed_at_equal_error(report.plan, report.rows, *from.paper));
+              "a map " + speed_at_equal_error(report.plan, report.rows, *from.paper));
 }
 
 /// What a look takes to bake, and a store of as many looks as the paper counts.
@@ -75,8 +77,8 @@ std::string looks_and_bytes(const ResultsReport& report) {
     return static_cast<double>(row->atlas.store_bytes) / 1e6 / (report.plan.scale * report.plan.scale);
   };
   return line("\"approximately 5 seconds\" for each look, on an NVIDIA RTX A3000",
-              fmt::format("{} s, ours {} s", two_digits(seconds_a_look(from.paper)),
-                          two_digits(seconds_a_look(from.ours)))) +
+              fmt::format("{} s for {:.0f} m a side, ours {} s", two_digits(seconds_a_look(from.paper)),
+                          report.plan.side_m(), two_digits(seconds_a_look(from.ours)))) +
          line("\"32 1024 × 1024, 4 channel floating point textures (537 MB)\"",
               fmt::format(
                   "{} looks, {}, take {:.0f} MB on the 2 km of the paper, ours {:.0f} MB, from {} and {} MB here "

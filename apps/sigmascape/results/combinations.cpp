@@ -127,7 +127,8 @@ std::string rms_text(const ResultsRow& row) {
 std::string found_from_the_papers_looks(const ResultsPlan& plan, const Best& best) {
   const std::string compared = fmt::format(
       "Maps rendered from baked textures are held against path-traced ones, cell by cell of {:.0f} m, at {} from "
-      "directions that were not baked. From the paper's {} directions ",
+      "directions that were not baked. From the {} directions (azimuths × "
+      "elevations) of the paper that is followed here ",
       summary_cell_m, counted(best.paper->views, "view", "views"), plan.paper_grid().name());
   if (best.alike == nullptr)
     return compared + fmt::format("the paper's method is off by {} RMS in the median. ", rms_text(*best.paper));
@@ -136,7 +137,8 @@ std::string found_from_the_papers_looks(const ResultsPlan& plan, const Best& bes
          fmt::format(
              "ours are off by {} RMS in the median, those of the paper's method by {}; ours come closer at {}. ",
              rms_text(*best.alike), rms_text(*best.paper),
-             fall.better == fall.views ? "all of the views" : fmt::format("{} of the views", fall.better));
+             fall.views > 0 && fall.better == fall.views ? "all of the views"
+                                                         : fmt::format("{} of the views", fall.better));
 }
 
 /// Whether one way is closer than another at more of the views than it is farther off.
@@ -196,8 +198,10 @@ std::string combinations_table(const ResultsPlan& plan, const std::vector<Result
                         {"best in the paper's bytes", best->in_its_bytes},
                         {"best of all", best->of_all},
                         {"paper, as many looks as the best", best->paper_alike}};
-  std::string text = fmt::format("Medians over {} held-out views at {:.0f} m cells; seconds are of the processor.\n\n",
-                                 best->paper->views, summary_cell_m);
+  std::string text = fmt::format(
+      "Medians over {} held-out views at {:.0f} m cells; seconds are of the processor ([the words of "
+      "this page](#the-words-of-this-page)).\n\n",
+      best->paper->views, summary_cell_m);
   text += way_heads;
   const TracedRays& rays = best->paper->rays;
   text += fmt::format("| *truth* | one traced map against another, {} rays a cell | {} | | | {}{} |\n", rays.text(),
@@ -237,7 +241,7 @@ std::string verdict(const ResultsPlan& plan, const std::vector<ResultsRow>& rows
   if (!best || best->of_all == nullptr) return {};
   return found_from_the_papers_looks(plan, *best) +
          fmt::format("The best maps, *{}*, are off by {}. ", name_of(*best->of_all), rms_text(*best->of_all)) +
-         speed_at_equal_error(plan, rows, *best->of_all) + "\n\n";
+         "Such a map " + speed_at_equal_error(plan, rows, *best->of_all) + "\n\n";
 }
 
 }  // namespace sigmascape::cli

@@ -56,9 +56,12 @@ std::string overview_section(const ResultsReport& report) {
       "|---|---:|---:|---:|---:|---:|---:|---:|\n",
       summary_cell_m, grid, next);
   text += line_of(results_pages[0].words, report.rows, plan);
-  for (const Neighbour& neighbour : report.neighbours)
+  bool are_all_there = true;
+  for (const Neighbour& neighbour : report.neighbours) {
     text += line_of(report.links.to(neighbour.page.words, neighbour.page.page), neighbour.rows, plan);
-  return text + "\n";
+    are_all_there = are_all_there && !neighbour.rows.empty();
+  }
+  return text + (are_all_there ? "\n" : "\n–: measured by an earlier program, whose page stands as it was.\n\n");
 }
 
 }  // namespace sigmascape::cli

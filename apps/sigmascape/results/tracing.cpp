@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <optional>
 #include <utility>
 
 #include "results/columns.h"
@@ -71,12 +72,28 @@ std::string time_beside(const ResultsRow& traced, const ResultsRow& baked) {
                      two_digits(seconds_of(traced) / seconds_of(baked)));
 }
 
-/// From how many maps on a bake pays; empty where maps of the textures take longer than traced ones.
-std::string worth_of_bake(const ResultsRow& baked, const ResultsRow& traced) {
+/// "between 3.9 s and 15 s, 11 to 43 times as long".
+std::string time_between(const ResultsRow& less, const ResultsRow& more, const ResultsRow& baked) {
+  return fmt::format("between {} s and {} s, {} to {} times as long", two_digits(seconds_of(less)),
+                     two_digits(seconds_of(more)), two_digits(seconds_of(less) / seconds_of(baked)),
+                     two_digits(seconds_of(more) / seconds_of(baked)));
+}
+
+/// From how many maps on a bake pays against maps that take as long as a traced one; nothing where those of the
+/// textures take longer.
+std::optional<double> maps_that_pay(const ResultsRow& baked, const ResultsRow& traced) {
   const double saved_s = seconds_of(traced) - seconds_of(baked);
-  if (saved_s <= 0.0) return {};
-  return fmt::format("; against that, from {:.0f} maps on the bake is the shorter way",
-                     std::ceil(baked.atlas.bake_seconds / saved_s));
+  return saved_s > 0.0 ? std::optional(std::ceil(baked.atlas.bake_seconds / saved_s)) : std::nullopt;
+}
+
+/// The same where a map as close takes as long as something between the two.
+std::string worth_of_bake(const ResultsRow& baked, const ResultsRow& less, const ResultsRow& more) {
+  const auto fewest = maps_that_pay(baked, more), most = maps_that_pay(baked, less);
+  if (!fewest) return ": here the bake does not pay";
+  if (!most) return fmt::format("; from {:.0f} maps on at the earliest the bake is the shorter way", *fewest);
+  const std::string maps =
+      fewest == most ? fmt::format("{:.0f}", *fewest) : fmt::format("{:.0f} to {:.0f}", *fewest, *most);
+  return fmt::format("; from {} maps on the bake is the shorter way", maps);
 }
 
 /// The fewest rays with which a traced map comes as close as a baked one, and the next fewer, which are not enough.
@@ -96,28 +113,34 @@ EqualTracing equal_tracing(const ResultsRow& baked, const std::vector<const Resu
   return equal;
 }
 
-/// Why nothing is said of maps of fewer rays.
-std::string none_fewer(const ResultsRow& traced) {
-  return traced.of.baked_samples > 1 ? "fewer were not traced" : "there are no fewer";
+/// Whether a map of fewer rays than were traced may be as close too.
+bool may_be_fewer(const EqualTracing& equal) {
+  return equal.too_few == nullptr && equal.enough->of.baked_samples > 1;
 }
 
 /// Which of the traced maps comes as close as a baked one, and what it takes.
 std::string equal_text(const ResultsRow& baked, const std::vector<const ResultsRow*>& traced) {
   const std::string found = fmt::format("- {}, {}: {} in {} s. ", way_text(baked.of), baked.of.grid, rms_text(baked),
                                         two_digits(seconds_of(baked)));
-  const auto [enough, too_few] = equal_tracing(baked, traced);
+  const EqualTracing equal = equal_tracing(baked, traced);
+  const auto [enough, too_few] = equal;
   if (enough == nullptr) {
     return found + fmt::format("None of these traced maps comes as close: that of {} has {} in {}\n", rays_of(*too_few),
                                rms_text(*too_few), time_beside(*too_few, baked));
   }
-  if (too_few == nullptr) {
-    return found + fmt::format("The traced map of {} is closer already, {} in {} s, and {}{}\n", rays_of(*enough),
-                               rms_text(*enough), two_digits(seconds_of(*enough)), none_fewer(*enough),
-                               seconds_of(*enough) <= seconds_of(baked) ? ": here the bake does not pay" : "");
+  if (may_be_fewer(equal)) {
+    const bool pays = seconds_of(*enough) > seconds_of(baked);
+    return found + fmt::format("The traced map of {} is closer already, {} in {} s, and fewer were not traced{}\n",
+                               rays_of(*enough), rms_text(*enough), two_digits(seconds_of(*enough)),
+                               pays ? "" : ": here the bake does not pay");
   }
-  return found + fmt::format("Of the traced maps that of {} is the first to come as close, {} in {}{}\n",
-                             rays_of(*enough), rms_text(*enough), time_beside(*enough, baked),
-                             worth_of_bake(baked, *enough));
+  if (too_few == nullptr) {
+    return found + fmt::format("The traced map of a single ray a cell is closer, {} in {}{}\n", rms_text(*enough),
+                               time_beside(*enough, baked), worth_of_bake(baked, *enough, *enough));
+  }
+  return found + fmt::format("A traced map as close takes {}: {} give {}, {} give {}{}\n",
+                             time_between(*too_few, *enough, baked), rays_of(*too_few), rms_text(*too_few),
+                             enough->of.baked_samples, rms_text(*enough), worth_of_bake(baked, *too_few, *enough));
 }
 
 }  // namespace
@@ -144,20 +167,26 @@ std::string tracing_section(const ResultsPlan& plan, const std::vector<ResultsRo
 }
 
 std::string speed_at_equal_error(const ResultsPlan& plan, const std::vector<ResultsRow>& rows, const ResultsRow& way) {
-  const std::string takes = fmt::format("Such a map takes {} s of processor time", two_digits(seconds_of(way)));
+  const std::string takes = fmt::format("takes {} s of processor time", two_digits(seconds_of(way)));
   const auto traced = traced_with_few_rays(plan, rows);
   if (traced.empty()) return takes + ".";
-  const auto [enough, too_few] = equal_tracing(way, traced);
+  const EqualTracing equal = equal_tracing(way, traced);
+  const auto [enough, too_few] = equal;
   if (enough == nullptr) {
     return fmt::format("{}; no path-traced map of up to {} is as close, and that one takes {}.", takes,
                        rays_of(*too_few), time_beside(*too_few, way));
   }
-  if (too_few == nullptr) {
-    return fmt::format("{}; a path-traced one of {} is closer already, and takes {} s ({}).", takes, rays_of(*enough),
-                       two_digits(seconds_of(*enough)), none_fewer(*enough));
+  if (may_be_fewer(equal)) {
+    return fmt::format("{}; a path-traced one of {} is closer already, and takes {} s (fewer were not traced).", takes,
+                       rays_of(*enough), two_digits(seconds_of(*enough)));
   }
-  return fmt::format("{}, a path-traced one as close {}: {} are enough, {} {} not.", takes, time_beside(*enough, way),
-                     rays_of(*enough), too_few->of.baked_samples, too_few->of.baked_samples == 1 ? "is" : "are");
+  if (too_few == nullptr) {
+    return fmt::format("{}; a path-traced one of a single ray a cell is closer, and takes {}.", takes,
+                       time_beside(*enough, way));
+  }
+  return fmt::format("{}, a path-traced one as close {}: {} {} too few, {} more than enough.", takes,
+                     time_between(*too_few, *enough, way), rays_of(*too_few),
+                     too_few->of.baked_samples == 1 ? "is" : "are", enough->of.baked_samples);
 }
 
 }  // namespace sigmascape::cli

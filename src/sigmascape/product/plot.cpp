@@ -197,7 +197,7 @@ class PlotDrawer {
       }
       const Vec2d place{x_.place_of(point.first), y_.place_of(point.second)};
       if (series.dots) drawing_.marks.emplace_back(Dot{place, 3.5, ink});
-      if (i < series.labels.size()) labels_.push_back({place, series.labels[i]});
+      if (i < series.labels.size()) labels_.push_back({place, series.labels[i], stroke.points.empty()});
       take(place);
       if (series.joined && !stroke.points.empty()) take_line(stroke.points.back(), place);
       stroke.points.push_back(place);
@@ -205,14 +205,16 @@ class PlotDrawer {
     end_stroke();
   }
 
-  /// Each above or below its point, to the right or to the left, where least is hidden.
+  /// Each above or below its point, to the right or to the left, where least is hidden; of a line's first point rather
+  /// to the left, where no other of it comes.
   void labels() {
     constexpr double height = 12.0, aside = 6.0, below = 15.0;
-    for (const auto& [point, text] : labels_) {
+    for (const auto& [point, text, begins] : labels_) {
       const Vec2d size{width_of(text), height};
       std::vector<Vec2d> starts;
       for (const double y : {point.y - aside, point.y + below}) {
-        for (const double x : {point.x + aside, point.x - aside - size.x}) {
+        const double to_right = point.x + aside, to_left = point.x - aside - size.x;
+        for (const double x : {begins ? to_left : to_right, begins ? to_right : to_left}) {
           if (x > left && x + size.x < drawing_.width) starts.push_back({x, y});
         }
       }
@@ -312,6 +314,7 @@ class PlotDrawer {
   struct Label {
     Vec2d point;
     std::string text;
+    bool begins;  // a line, or one after a gap
   };
   std::vector<Label> labels_;
   std::vector<bool> is_taken_;  ///< by place, row by row

@@ -189,8 +189,10 @@ TEST(Plot, NamesHideNoLineWhereAnotherPlaceIsFree) {
   plot.series.push_back({.name = "level", .points = {{1.0, 1.0}, {10.0, 1.0}}, .joined = true, .dots = false});
   const Drawing drawing = drawing_of(plot);
   const Patch names = marks_of<Patch>(drawing).at(0);
+  int lines = 0;
   for (const Stroke& stroke : marks_of<Stroke>(drawing)) {
     if (stroke.width != 1.5) continue;  // marks of the axes
+    ++lines;
     for (std::size_t i = 1; i < stroke.points.size(); ++i) {
       for (int part = 0; part <= 100; ++part) {
         const Vec2d from =
@@ -199,6 +201,7 @@ TEST(Plot, NamesHideNoLineWhereAnotherPlaceIsFree) {
       }
     }
   }
+  EXPECT_EQ(lines, 3);
 }
 
 TEST(Drawing, PatchesCoverAsMuchAsTheirAlphaSays) {
