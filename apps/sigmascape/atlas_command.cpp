@@ -9,7 +9,9 @@
 #include <vector>
 
 #include "command.h"
+#include "number_or_null.h"
 #include "number_within.h"
+#include "power_error_text.h"
 #include "standard_error.h"
 #include "terminal_progress.h"
 #include "word_option.h"
@@ -128,11 +130,12 @@ void make_pyramid(const std::string& folder, const Output& output) {
   if (made.left_out > 0) end_with(1);
 }
 
-/// Null where no look is done in which anything answers.
-nlohmann::ordered_json errors_of(const atlas::AtlasSummary& summary) {
-  if (!summary.error) return {{"smallest", nullptr}, {"median", nullptr}, {"largest", nullptr}};
-  return {
-      {"smallest", summary.error->smallest}, {"median", summary.error->median}, {"largest", summary.error->largest}};
+/// Null where no look tells of anything that answers.
+nlohmann::ordered_json json_of(const atlas::PowerErrors& errors) {
+  const auto spread = errors.spread();
+  return {{"mean", number_or_null(errors.relative())},
+          {"smallest", spread ? number_or_null(spread->smallest) : nullptr},
+          {"largest", spread ? number_or_null(spread->largest) : nullptr}};
 }
 
 nlohmann::ordered_json json_of(const atlas::AtlasSummary::Files& files) {
@@ -170,8 +173,10 @@ nlohmann::ordered_json summary_of(const atlas::Store& store, const atlas::AtlasS
           {"terrain", {{"faults", json_of(terrain_faults(store, summary))}}},
           {"bytes", summary.bytes},
           {"bytes_per_look", summary.bytes_per_look},
-          {"relative_standard_error", errors_of(summary)},
-          {"above_target", summary.above_target ? nlohmann::ordered_json(*summary.above_target) : nullptr},
+          {"relative_standard_error", json_of(summary.errors)},
+          {"above_target", number_or_null(summary.errors.part_above_target())},
+          {"part_of_all", number_or_null(summary.errors.part_of_all())},
+          {"looks_told", summary.looks_told},
           {"mantissa_bits", atlas.mantissa_bits},
           {"digits", atlas::word_for(atlas.digits)},
           {"settings", atlas.settings},
@@ -179,11 +184,20 @@ nlohmann::ordered_json summary_of(const atlas::Store& store, const atlas::AtlasS
           {"attribution", atlas.attribution}};
 }
 
-std::string error_text(const atlas::AtlasSummary& summary) {
+std::string errors_text(const atlas::AtlasSummary& summary) {
   if (summary.looks_done == 0) return "none yet";
-  if (!summary.error) return "none, for nothing returns";
-  return fmt::format("{:.1f} % in the median look, {:.1f} % to {:.1f} %", 100 * summary.error->median,
-                     100 * summary.error->smallest, 100 * summary.error->largest);
+  if (summary.errors.empty()) return "not told by what is there";
+  std::string text = error_text(summary.errors);
+  if (const auto spread = summary.errors.spread(); spread) {
+    const auto percent = [](double error) { return fmt::format("{:.1f} %", 100.0 * error); };
+    const std::string smallest = percent(spread->smallest), largest = percent(spread->largest);
+    if (smallest != largest) text += fmt::format(", {} to {} by look", smallest, largest);
+  }
+  if (summary.looks_told < summary.looks_done) {
+    text += fmt::format(" (told by {} of {}; the others were baked by an earlier program)", summary.looks_told,
+                        counted(summary.looks_done, "look", "looks"));
+  }
+  return text;
 }
 
 /// "k of n files, those above the patches included".
@@ -226,10 +240,8 @@ std::string text_of(const atlas::Store& store, const atlas::AtlasSummary& summar
   line("terrain", of_terrain.empty() ? "all there" : faults_text(of_terrain));
   line("size",
        fmt::format("{}, {} a look", size_text(static_cast<double>(summary.bytes)), size_text(summary.bytes_per_look)));
-  line("texel error", error_text(summary));
-  if (summary.above_target) {
-    line("above target", fmt::format("{:.1f} % of the texels that return anything", 100 * *summary.above_target));
-  }
+  line("error", errors_text(summary));
+  if (const std::string part = above_target_text(summary.errors); !part.empty()) line("above target", part);
   for (const auto& [name, value] : atlas.settings) line(name, value);
   line("mantissa bits", fmt::format("{}{}", atlas.mantissa_bits,
                                     atlas.digits == atlas::Digits::ToNoise ? ", fewer where noise drowns them" : ""));

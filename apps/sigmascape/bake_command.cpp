@@ -9,8 +9,10 @@
 #include "command.h"
 #include "files_to_write.h"
 #include "number_or_null.h"
+#include "power_error_text.h"
 #include "progress_log.h"
 #include "scene_warnings.h"
+#include "shard_option.h"
 #include "stopwatch.h"
 #include "terminal_progress.h"
 #include "words.h"
@@ -42,14 +44,13 @@ std::string text_of(const Baked& baked) {
   if (report.elsewhere > 0) text += fmt::format(", {} baked by another process", report.elsewhere);
   text += fmt::format("), {:.1f} s", baked.seconds);
   if (report.looks > report.already + report.elsewhere) {
-    const auto error = report.relative_standard_error;
-    text += fmt::format(", {:.1f} million rays, {}", static_cast<double>(report.counts.rays) / 1e6,
-                        error ? fmt::format("texel error {:.0f} %", 100.0 * *error) : "nothing returns");
+    text += fmt::format(", {:.1f} million rays; error of what was baked now: {}",
+                        static_cast<double>(report.counts.rays) / 1e6, error_text(report.errors));
+    const std::string above_target = above_target_text(report.errors);
+    if (!above_target.empty()) text += ", " + above_target;
   }
-  if (const auto part = report.above_target.part())
-    text += fmt::format(", {:.0f} % of texels above the target", 100.0 * *part);
   if (report.pyramid > 0)
-    text += fmt::format(", {} of looks above the patches", counted(report.pyramid, "file", "files"));
+    text += fmt::format("; {} of looks above the patches", counted(report.pyramid, "file", "files"));
   return text;
 }
 
@@ -69,8 +70,9 @@ nlohmann::ordered_json json_of(const Baked& baked) {
           {"paths", report.counts.paths},
           {"rays", report.counts.rays},
           {"echoes", report.counts.echoes},
-          {"relative_standard_error", number_or_null(report.relative_standard_error)},
-          {"above_target", number_or_null(report.above_target.part())}};
+          {"relative_standard_error", number_or_null(report.errors.relative())},
+          {"above_target", number_or_null(report.errors.part_above_target())},
+          {"part_of_all", number_or_null(report.errors.part_of_all())}};
 }
 
 /// What an atlas holds besides the textures that a plan weighs.
@@ -145,10 +147,7 @@ void add_bake_command(Command app, Output& output) {
   command.add_option("--out", options->folder, "folder of the atlas; a bake that was broken off goes on there")
       .required();
   options->bake.add_to(command);
-  command
-      .add_option("--shard", options->shard,
-                  "bake one of several equal shares, counted from 0: 2/8 is the third of eight")
-      .capture_default_str();
+  add_shard_option(command, options->shard, "bake");
   const auto verify_option =
       command.add_flag("--verify", options->verify,
                        "compare the SHA-256 of looks that are there already; name altered ones and bake them again");
@@ -156,7 +155,8 @@ void add_bake_command(Command app, Output& output) {
       "--json-log", options->log, "add progress to this file, a new one or such a log, a JSON object a line");
   command
       .add_flag("--plan", options->plan,
-                "write nothing; bake a small piece at each elevation and tell what the whole would take")
+                "write nothing; tell what the whole would take, from a look of a piece of 256 x 256 texels at every "
+                "elevation, which is baked with all its rays: of a scene no larger it takes as long as one azimuth")
       .excludes(verify_option)
       .excludes(log_option);
   command.add_flag("--json", output.json, "print the summary as JSON");
@@ -173,14 +173,14 @@ void add_bake_command(Command app, Output& output) {
     bake::check(settings);
     check_log(options->log, options->scene, options->folder);
     warn_of_scene(scene);
+    TerminalProgress terminal;
     if (options->plan) {
-      const bake::BakePlan plan = bake::plan(scene, settings, options->folder, share.shard);
+      const bake::BakePlan plan = bake::plan(scene, settings, options->folder, terminal, share.shard);
       return output.finish(text_of(plan, settings.shadows), json_of(plan));
     }
     Baked baked;
     baked.folder = options->folder;
     baked.shard = share.shard;
-    TerminalProgress terminal;
     const Stopwatch watch;
     bool is_logged = true;
     baked.report = [&] {

@@ -85,12 +85,13 @@ void BakeOptions::add_texels_and_looks(Command command) {
 
 void BakeOptions::add_rays(Command command) {
   const bake::Sampling usual;
-  const auto target_option = command
-                                 .add_option("--target-db", target_db,
-                                             "standard error aimed at in what the rays to one cell return, as far as "
-                                             "--most-samples goes; 'atlas info' tells what part of the texels is above")
-                                 .default_str(fmt::format("{:g}", usual.target_db))
-                                 .check(number_within(bake::least_target_db, bake::most_target_db));
+  const auto target_option =
+      command
+          .add_option("--target-db", target_db,
+                      "standard error aimed at in what the rays to one cell return, as far as "
+                      "--most-samples goes; 'atlas info' tells what part of the power is in texels above")
+          .default_str(fmt::format("{:g}", usual.target_db))
+          .check(number_within(bake::least_target_db, bake::most_target_db));
   const auto most_option =
       command.add_option("--most-samples", most_samples, "rays a texel at most, however noisy it is")
           .default_str(std::to_string(usual.most_samples))

@@ -3,6 +3,7 @@
 #include "command.h"
 #include "received_files.h"
 #include "scene_warnings.h"
+#include "shard_option.h"
 #include "stopwatch.h"
 #include "terminal_progress.h"
 #include "threads_option.h"
@@ -23,10 +24,7 @@ void add_dataset_command(Command app, Output& output) {
   auto options = std::make_shared<Options>();
   command.add_option("SPEC", options->spec, "dataset file (TOML)").required();
   command.add_option("--out", options->folder, "folder to fill; a run that was broken off goes on there").required();
-  command
-      .add_option("--shard", options->shard,
-                  "make one of several equal shares, counted from 0: 2/8 is the third of eight")
-      .capture_default_str();
+  add_shard_option(command, options->shard, "make");
   add_threads_option(command, options->threads);
   command.add_flag("--json", output.json, "print the summary as JSON");
   command.footer(

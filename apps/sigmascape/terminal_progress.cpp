@@ -30,7 +30,7 @@ std::string TerminalProgress::line(double seconds_left) const {
   return fmt::format(
       "{}: {:.1f} of {:.0f} {}, {}{}, {} left", task_, rate_.done(), rate_.total(), unit_,
       rays ? fmt::format("{:.2f} million rays a second", *rays / 1e6) : fmt::format("{:.3g} a second", rate_.rate()),
-      error ? fmt::format(", error {:.0f} %", 100.0 * *error) : "", duration_text(seconds_left));
+      error ? fmt::format(", error {:.1f} %", 100.0 * *error) : "", duration_text(seconds_left));
 }
 
 void TerminalProgress::advanced(std::string_view task, double done, double total, std::string_view unit) {

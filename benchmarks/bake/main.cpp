@@ -202,8 +202,8 @@ void measure_plan(const scene::Scene& scene, bool quick, Figures& figures) {
   settings.shadows = bake::Shadows::Baked;
   settings.aspects.azimuths_rad.resize(quick ? 1 : 2);
 
-  const bake::BakePlan plan = bake::plan(scene, settings, folder);
   SilentProgress silent;
+  const bake::BakePlan plan = bake::plan(scene, settings, folder, silent);
   const double start = bench::wall_seconds();
   const bake::BakeReport report = bake::bake(scene, settings, folder, silent);
   const double taken = bench::wall_seconds() - start;

@@ -128,7 +128,10 @@ py::dict info_of(const LoadedAtlas& loaded) {
   info["looks"] = summary.looks;
   info["looks_done"] = summary.looks_done;
   info["bytes"] = summary.bytes;
-  info["relative_standard_error"] = summary.error ? py::object(py::float_(summary.error->median)) : py::none();
+  info["relative_standard_error"] = summary.errors.relative();
+  info["above_target"] = summary.errors.part_above_target();
+  info["part_of_all"] = summary.errors.part_of_all();
+  info["looks_told"] = summary.looks_told;
   info["settings"] = description.settings;
   info["scene_hash"] = description.scene_hash;
   info["attribution"] = description.attribution;

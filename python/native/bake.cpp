@@ -101,8 +101,17 @@ void add_bake(py::module_& module) {
       .def_readonly("elsewhere", &BakeReport::elsewhere, "Of them those that another process baked meanwhile.")
       .def_property_readonly("rays", [](const BakeReport& r) { return r.counts.rays; })
       .def_property_readonly("paths", [](const BakeReport& r) { return r.counts.paths; })
-      .def_readonly("relative_standard_error", &BakeReport::relative_standard_error,
-                    "Of a texel, root mean square over what was baked and returns anything; None when nothing did.")
+      .def_property_readonly(
+          "relative_standard_error", [](const BakeReport& r) { return r.errors.relative(); },
+          "Of what this call baked: standard errors of a look's texels, summed up, over their power; mean over looks.\n"
+          "None when nothing returned.")
+      .def_property_readonly(
+          "above_target", [](const BakeReport& r) { return r.errors.part_above_target(); },
+          "Part of that power in texels whose error is above target_db; None as well when there was no target.")
+      .def_property_readonly(
+          "part_of_all", [](const BakeReport& r) { return r.errors.part_of_all(); },
+          "Part which that power is of all that returns; the rest is bare ground, which is kept apart and has no "
+          "noise.")
       .def("__repr__", [](const BakeReport& r) {
         return py::str("<sigmascape.BakeReport looks={} already={} rays={}>").format(r.looks, r.already, r.counts.rays);
       });

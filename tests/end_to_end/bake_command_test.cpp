@@ -69,10 +69,13 @@ TEST_F(BakeCommand, TargetsThatAreNoneAreRefusedByTheirOption) {
   }
 }
 
-TEST_F(BakeCommand, WhatPartOfTheTexelsMissesTheTargetIsTold) {
+TEST_F(BakeCommand, WhatPartOfThePowerMissesTheTargetIsTold) {
   const auto part_above = [&](const std::string& atlas, const std::string& options) {
     const nlohmann::json summary = baked(atlas, std::string(one_coarse_look) + " --bounces 2 " + options);
-    EXPECT_EQ(summary.at("above_target"), info_of(atlas).at("above_target"));
+    const nlohmann::json info = info_of(atlas);
+    EXPECT_EQ(summary.at("above_target"), info.at("above_target"));
+    EXPECT_EQ(summary.at("part_of_all"), info.at("part_of_all"));
+    EXPECT_EQ(summary.at("relative_standard_error"), info.at("relative_standard_error").at("mean"));
     return summary.at("above_target");
   };
   const double few_rays = part_above("few", "--target-db 0.4 --most-samples 8");
@@ -81,11 +84,34 @@ TEST_F(BakeCommand, WhatPartOfTheTexelsMissesTheTargetIsTold) {
   EXPECT_LT(many_rays, 0.8 * few_rays);
   EXPECT_TRUE(part_above("none", "--samples 8").is_null()) << "there is no target";
   const Ended text = run(line("atlas info", folder_.path("few").string()));
-  EXPECT_THAT(text.printed, ContainsRegex("above target +[0-9.]+ % of the texels"));
+  EXPECT_THAT(text.printed,
+              ContainsRegex("error +[0-9.]+ % of the power, [0-9.]+ % of what returns with the bare ground, "
+                            "which has no noise\n +above target +[0-9]+ % of the power"));
   const std::string few_again = std::string(one_coarse_look) + " --bounces 2 --target-db 0.4 --most-samples 8";
-  EXPECT_THAT(run(bake_line("fresh", few_again)).printed, ContainsRegex("[0-9]+ % of texels above the target"));
+  EXPECT_THAT(run(bake_line("fresh", few_again)).printed,
+              ContainsRegex("error of what was baked now: [0-9.]+ % of the power, .*, [0-9]+ % of the power in texels "
+                            "above the target"));
   EXPECT_THAT(run(bake_line("few", few_again)).printed,
               AllOf(HasSubstr("(4 already there"), Not(HasSubstr("above the target"))));
+}
+
+TEST_F(BakeCommand, WhereNothingStandsNoErrorIsTold) {
+  const std::filesystem::path bare = folder_.path("bare.toml");
+  std::string scene;
+  std::getline(std::ifstream(scene_), scene, '\0');
+  std::ofstream(bare) << scene.erase(scene.find("[[buildings]]")).replace(scene.find("heights"), 0, "scene/");
+  const std::string options = std::string(one_coarse_look) + " --most-samples 8 --bounces 2";
+  const std::string bake =
+      line("bake", fmt::format("'{}' --out '{}' {}", bare.string(), folder_.path("bare").string(), options));
+  EXPECT_THAT(run(bake).printed, HasSubstr("error of what was baked now: none, for no texel returns anything"));
+  const nlohmann::json info = info_of("bare");
+  EXPECT_TRUE(info.at("relative_standard_error").at("mean").is_null());
+  EXPECT_TRUE(info.at("above_target").is_null());
+  EXPECT_EQ(info.at("part_of_all"), 0.0);
+  EXPECT_THAT(run(line("atlas info", folder_.path("bare").string())).printed,
+              ContainsRegex("error +none, for no texel returns anything\n"));
+  EXPECT_THAT(run(line("atlas info", folder_.path("bare/ground").string())).printed,
+              ContainsRegex("error +not told by what is there\n"));
 }
 
 TEST_F(BakeCommand, OfNothingThatWasBakedNoErrorIsTold) {
@@ -218,11 +244,18 @@ std::string printed_on_a_terminal(const std::string& line) {
   return printed;
 }
 
+TEST_F(BakeCommand, ATerminalShowsHowFarAPlanIs) {
+  EXPECT_THAT(printed_on_a_terminal(bake_line("planned",
+                                              "--texel-m 0.5 --patch-texels 256 --azimuths 2 --elevations-deg 30 "
+                                              "--samples 512 --threads 1 --plan")),
+              ContainsRegex("plan: 0\\.[0-9] of 1 looks, "));
+}
+
 TEST_F(BakeCommand, ATerminalShowsLooksRaysErrorAndTimeLeft) {
   const std::string shown = printed_on_a_terminal(bake_line(
       "watched", "--texel-m 0.5 --patch-texels 256 --azimuths 2 --elevations-deg 30 --samples 64 --threads 1"));
   EXPECT_THAT(shown, ContainsRegex("bake: [0-9]+\\.[0-9] of [0-9]+ looks, [0-9.]+ million rays a second, "
-                                   "error [0-9]+ %, [0-9.]+ [a-z]+ left"));
+                                   "error [0-9.]+ %, [0-9.]+ [a-z]+ left"));
   EXPECT_THAT(shown.substr(shown.rfind("looks in ")), AllOf(HasSubstr(" s, "), HasSubstr("million rays")));
 }
 

@@ -103,6 +103,10 @@ def test_a_bake_goes_on_where_it_stopped_and_tells_its_progress(scene, tmp_path)
     again = sigmascape.bake(scene, tmp_path, **options, progress=False)
     assert (first.already, again.already) == (0, first.looks)
     assert first.relative_standard_error > 0.0 and again.relative_standard_error is None
+    assert 0.0 < first.part_of_all < 1.0 and first.above_target is None
+    info = sigmascape.Atlas(tmp_path).info()
+    assert (info["relative_standard_error"], info["part_of_all"]) == (first.relative_standard_error, first.part_of_all)
+    assert info["above_target"] is None
 
 
 def test_what_is_in_doubt_is_shared_or_left_where_it_fell(scene, tmp_path):

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <system_error>
-#include <vector>
 
 #include "sigmascape/atlas/ground_layers.h"
 #include "sigmascape/atlas/obstacle_file.h"
@@ -28,12 +27,6 @@ std::uint64_t bytes_in(const std::filesystem::path& folder) {
     if (!vanished) bytes += size;
   }
   return bytes;
-}
-
-std::optional<AtlasSummary::Spread> spread_of(std::vector<double> errors) {
-  if (errors.empty()) return std::nullopt;
-  std::ranges::sort(errors);
-  return AtlasSummary::Spread{errors.front(), errors[errors.size() / 2], errors.back()};
 }
 
 void count(bool is_done, AtlasSummary::Files& files) {
@@ -87,8 +80,6 @@ AtlasSummary summary_of(const Store& store) {
   summary.patches = patches.size();
   summary.looks = store.unit_count();
   summary.bytes = bytes_in(store.folder());
-  std::vector<double> errors;
-  TexelsAboveTarget above_target;
   for (std::size_t number = 0; number < summary.looks; ++number) {
     Interruption::heed();
     const PatchIndex patch = patches[number / look_count];
@@ -98,12 +89,11 @@ AtlasSummary summary_of(const Store& store) {
     if (!record) continue;
     ++summary.looks_done;
     summary.bytes_per_look += static_cast<double>(record->size_bytes);
-    if (record->relative_standard_error) errors.push_back(*record->relative_standard_error);
-    above_target += record->above_target.value_or(TexelsAboveTarget{});
+    if (!record->error) continue;
+    summary.errors.add(look, *record->error);
+    ++summary.looks_told;
   }
   summary.bytes_per_look /= static_cast<double>(std::max<std::size_t>(summary.looks_done, 1));
-  summary.error = spread_of(std::move(errors));
-  summary.above_target = above_target.part();
 
   summary.pyramid_levels = Pyramid(store).levels();
   summary.pyramid = textures_above(store);

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "sigmascape/atlas/power_error.h"
 #include "sigmascape/atlas/store.h"
 
 namespace sigmascape::atlas {
@@ -27,15 +28,9 @@ struct AtlasSummary {
   std::optional<StoreFault> terrain_fault = {};  ///< of `terrain.tif`; its content is not looked at, nor are tiles
   std::uint64_t bytes = 0;                       ///< of everything in the folder
   double bytes_per_look = 0.0;                   ///< mean size of the textures of patches
-  struct Spread {
-    double smallest = 0.0, median = 0.0, largest = 0.0;
-  };
-  /// Relative standard error of a level-0 texel's total power, root mean square over a patch: over all looks done in
-  /// which anything answers; nothing when there is none.
-  std::optional<Spread> error;
-  /// Part of the texels that return anything whose error is above the target of the bake, over the looks whose items
-  /// tell; nothing when none does, as without a target.
-  std::optional<double> above_target;
+  /// Of the finest texels of all looks done whose items tell: those of ground do not, nor do those of a former kind.
+  PowerErrors errors;
+  std::size_t looks_told = 0;  ///< of those done, the ones whose items tell
 };
 
 [[nodiscard]] AtlasSummary summary_of(const Store& store);

@@ -184,6 +184,11 @@ constexpr const char* settings = "sigmascape:settings";
 constexpr const char* physics_revision = "sigmascape:physics_revision";
 constexpr const char* mantissa_bits = "sigmascape:mantissa_bits";
 constexpr const char* kept_digits = "sigmascape:digits";
+/// Of items of patches: PowerError.
+constexpr const char* mean_power = "sigmascape:mean_power";
+constexpr const char* mean_standard_error = "sigmascape:mean_standard_error";
+constexpr const char* mean_power_above_target = "sigmascape:mean_power_above_target";
+constexpr const char* mean_ground_power = "sigmascape:mean_ground_power";
 
 /// What is wrong with an item by its own hash; empty when nothing is.
 std::string fault_by_own_hash(const std::string& text, int format_version) {
@@ -329,15 +334,13 @@ std::optional<TextureRecord> record_from(const Json& properties) {
   if (is("sigmascape:made_from", &Json::is_string)) {
     record.made_from = properties.at("sigmascape:made_from").get<std::string>();
   }
-  if (is("sigmascape:relative_standard_error", &Json::is_number)) {
-    record.relative_standard_error = properties.at("sigmascape:relative_standard_error").get<double>();
-  }
-  if (is("sigmascape:lit_texels", &Json::is_number_unsigned) &&
-      is("sigmascape:above_target", &Json::is_number_unsigned)) {
-    record.above_target = {properties.at("sigmascape:lit_texels").get<std::uint64_t>(),
-                           properties.at("sigmascape:above_target").get<std::uint64_t>()};
-    // Items of a former kind tell an error of none where nothing answers.
-    if (record.above_target->lit == 0) record.relative_standard_error = std::nullopt;
+  if (is(mean_power, &Json::is_number) && is(mean_standard_error, &Json::is_number)) {
+    record.error = {.power = properties.at(mean_power).get<double>(),
+                    .standard_error = properties.at(mean_standard_error).get<double>()};
+    if (is(mean_power_above_target, &Json::is_number))
+      record.error->above_target = properties.at(mean_power_above_target).get<double>();
+    if (is(mean_ground_power, &Json::is_number))
+      record.error->ground_power = properties.at(mean_ground_power).get<double>();
   }
   if (is("sigmascape:tallest_m", &Json::is_number)) {
     record.tallest_m = properties.at("sigmascape:tallest_m").get<float>();
@@ -372,10 +375,11 @@ std::string item_text(const AtlasDescription& description, const Unit& unit, con
       {"sigmascape:sha256", record.sha256},
       {"sigmascape:attribution", description.attribution},
   });
-  if (facts.relative_standard_error) properties["sigmascape:relative_standard_error"] = *facts.relative_standard_error;
-  if (facts.above_target) {
-    properties["sigmascape:lit_texels"] = facts.above_target->lit;
-    properties["sigmascape:above_target"] = facts.above_target->above;
+  if (facts.error) {
+    properties[mean_power] = facts.error->power;
+    properties[mean_standard_error] = facts.error->standard_error;
+    if (facts.error->above_target) properties[mean_power_above_target] = *facts.error->above_target;
+    if (facts.error->ground_power > 0.0) properties[mean_ground_power] = facts.error->ground_power;
   }
   Json assets = {{"sigma0", sigma0_asset(grid.cell_m, texture_file, record)}};
   if (record.errors) {

@@ -25,10 +25,10 @@ struct TextureRecord {
   std::uint64_t size_bytes = 0;
   std::string sha256;
   double scale = 1.0;
-  std::string made_from = {};  ///< of a file of the pyramid: names the content of those below; else empty
-  std::optional<double> relative_standard_error = {};  ///< of a patch, as in BakeFacts; read only
-  std::optional<ErrorsRecord> errors = {};             ///< where there is such a file
-  std::optional<TexelsAboveTarget> above_target = {};  ///< likewise
+  std::string made_from = {};               ///< of a file of the pyramid: names the content of those below; else empty
+  std::optional<ErrorsRecord> errors = {};  ///< where there is such a file
+  /// Of a patch, as in BakeFacts; read only. Items of a former kind do not tell it.
+  std::optional<PowerError> error = {};
   /// Of obstacles: no texel of the file or of those that it was made from is higher. Files of a former kind, which hold
   /// no coarser levels, have an item without it.
   std::optional<float> tallest_m = {};

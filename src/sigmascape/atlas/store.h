@@ -13,7 +13,7 @@
 #include "sigmascape/atlas/half_texture.h"
 #include "sigmascape/atlas/mip_chain.h"
 #include "sigmascape/atlas/patch_grid.h"
-#include "sigmascape/atlas/texels_above_target.h"
+#include "sigmascape/atlas/power_error.h"
 #include "sigmascape/base/array2d.h"
 #include "sigmascape/base/progress.h"
 #include "sigmascape/geo/local_frame.h"
@@ -71,13 +71,10 @@ struct AtlasDescription {
 /// How one (patch, look) came about: goes into its item, so that a reading can be traced back.
 struct BakeFacts {
   std::uint64_t seed = 0;
-  double samples_per_texel = 0.0;  ///< mean
-  /// Of the total power of a level-0 texel, root mean square over those of the patch that return anything; nothing
-  /// where none does, or where nothing was sampled.
-  std::optional<double> relative_standard_error = {};
-  std::string simd;                                    ///< the instruction set that the numbers were made with
-  std::map<std::string, std::uint64_t> counts;         ///< what was skipped or lost on the way, by name
-  std::optional<TexelsAboveTarget> above_target = {};  ///< of a bake that aimed at a standard error
+  double samples_per_texel = 0.0;               ///< mean
+  std::string simd;                             ///< the instruction set that the numbers were made with
+  std::map<std::string, std::uint64_t> counts;  ///< what was skipped or lost on the way, by name
+  std::optional<PowerError> error = {};         ///< of the finest texels; nothing where nothing was sampled
 };
 
 /// One file of the store.

@@ -1,7 +1,6 @@
 #include "sigmascape/bake/bake.h"
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <fmt/format.h>
 #include <map>
@@ -12,16 +11,18 @@
 
 #include "sigmascape/atlas/catalogs.h"
 #include "sigmascape/atlas/ground_layers.h"
+#include "sigmascape/atlas/power_error.h"
 #include "sigmascape/atlas/pyramid.h"
 #include "sigmascape/atlas/terrain_file.h"
 #include "sigmascape/atlas/texture_file.h"
 #include "sigmascape/atlas/texture_name.h"
 #include "sigmascape/bake/claims.h"
-#include "sigmascape/bake/error_target.h"
 #include "sigmascape/bake/ground_baker.h"
 #include "sigmascape/bake/job.h"
 #include "sigmascape/bake/job_share.h"
 #include "sigmascape/bake/look_baker.h"
+#include "sigmascape/bake/mean_ground.h"
+#include "sigmascape/bake/part_progress.h"
 #include "sigmascape/bake/patch_room.h"
 #include "sigmascape/geo/atomic_file.h"
 #include "sigmascape/terrain/height_field_file.h"
@@ -54,24 +55,6 @@ std::map<std::string, std::string> settings_in_words(const BakeSettings& setting
   return words;
 }
 
-/// Tells of the part of one job as part of all.
-class JobProgress final : public ProgressListener {
- public:
-  JobProgress(ProgressListener& whole, std::size_t before, std::size_t looks, std::size_t total)
-      : whole_(whole), before_(before), looks_(looks), total_(total) {}
-
-  void advanced(std::string_view task, double done, double of, std::string_view) override {
-    // Looks are only told as done when they are written.
-    if (done >= of) return;
-    whole_.advanced(task, static_cast<double>(before_) + done / of * static_cast<double>(looks_),
-                    static_cast<double>(total_), "looks");
-  }
-
- private:
-  ProgressListener& whole_;
-  std::size_t before_, looks_, total_;
-};
-
 /// One process's way through its share.
 class BakeRun {
  public:
@@ -87,6 +70,8 @@ class BakeRun {
         claims_(store.folder()) {}
 
   BakeReport report(const scene::Scene& scene) {
+    if (settings_.shadows == Shadows::RunTime)
+      ground_.emplace(scene, store_.description().aspects, store_.description().patches);
     // Before anything is written, which would make the catalogs above it without a word.
     mend_catalogs();
     const std::vector<OpenJob> open = open_jobs();
@@ -113,7 +98,6 @@ class BakeRun {
     }
     make_levels_above();
     mend_catalogs();
-    report_.relative_standard_error = mean_error();
     report_.geometry_bytes = baker_.geometry_bytes();
     return report_;
   }
@@ -176,7 +160,7 @@ class BakeRun {
   }
 
   void bake_and_write(const Job& job, std::size_t counting_for) {
-    JobProgress part(progress_, done_, counting_for, report_.looks);
+    PartProgress part(progress_, "bake", done_, counting_for, report_.looks);
     const std::vector<BakedLook> looks = baker_.bake(job.patch, job.aspect, part);
     for (std::size_t i = 0; i < looks.size(); ++i) {
       report_.counts += looks[i].counts;
@@ -187,20 +171,16 @@ class BakeRun {
   void write(atlas::PatchIndex patch, atlas::LookIndex number, const BakedLook& look) {
     if (auto fault = atlas::texture_fault(store_, store_.texture_path(patch, number), share_.scrutiny))
       note(std::move(*fault));
-    const auto above_target = texels_above_target(look, settings_.sampling);
+    atlas::PowerError error = atlas::power_error(look.sigma0, look.relative_errors, relative_target());
+    if (ground_) error.ground_power = ground_->power_of(patch, number);
     store_.write(patch, number, look.sigma0,
                  {.seed = settings_.seed,
                   .samples_per_texel = look.samples_per_texel,
-                  .relative_standard_error = look.relative_standard_error,
                   .simd = trace::simd_setting(),
                   .counts = {},
-                  .above_target = above_target},
+                  .error = error},
                  look.relative_errors);
-    if (const auto error = look.relative_standard_error) {
-      squared_errors_ += *error * *error;
-      ++lit_;
-    }
-    report_.above_target += above_target.value_or(atlas::TexelsAboveTarget{});
+    report_.errors.add(number, error);
     ++baked_;
   }
 
@@ -275,7 +255,7 @@ class BakeRun {
   void tell_progress() {
     if (baked_ > 0) {
       progress_.measured("bake", "rays", static_cast<double>(report_.counts.rays));
-      if (const auto error = mean_error()) progress_.measured("bake", "relative_standard_error", *error);
+      if (const auto error = report_.errors.relative()) progress_.measured("bake", "relative_standard_error", *error);
     }
     progress_.advanced("bake", static_cast<double>(done_), static_cast<double>(report_.looks), "looks");
   }
@@ -304,9 +284,11 @@ class BakeRun {
     for (atlas::StoreFault& fault : notes.mended) note(std::move(fault));
   }
 
-  [[nodiscard]] std::optional<double> mean_error() const {
-    if (lit_ == 0) return std::nullopt;
-    return std::sqrt(squared_errors_ / static_cast<double>(lit_));
+  /// A target is one for what the rays of a cell return (docs/decisions/0015-adaptive-sampling.md), so that texels may
+  /// miss it.
+  [[nodiscard]] std::optional<double> relative_target() const {
+    const Sampling& sampling = settings_.sampling;
+    return sampling.is_adaptive() ? std::optional(sampling.relative_target()) : std::nullopt;
   }
 
   const LookBaker& baker_;
@@ -317,10 +299,9 @@ class BakeRun {
   JobList jobs_;
   JobShare share_of_jobs_;
   Claims claims_;
+  std::optional<MeanGround> ground_;  // where it is kept apart
   BakeReport report_;
   std::size_t done_ = 0, baked_ = 0;
-  std::size_t lit_ = 0;  // of the baked looks: those in which anything answers
-  double squared_errors_ = 0.0;
 };
 
 }  // namespace

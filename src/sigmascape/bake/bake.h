@@ -2,11 +2,10 @@
 
 #include <cstddef>
 #include <filesystem>
-#include <optional>
 #include <vector>
 
+#include "sigmascape/atlas/power_error.h"
 #include "sigmascape/atlas/store.h"
-#include "sigmascape/atlas/texels_above_target.h"
 #include "sigmascape/bake/bake_settings.h"
 #include "sigmascape/bake/shard.h"
 #include "sigmascape/base/progress.h"
@@ -29,10 +28,8 @@ struct BakeReport {
   std::size_t pyramid = 0;    ///< textures of looks written above the patches; obstacles and ground are not counted
   trace::TraceCounts counts;
   std::size_t geometry_bytes = 0;  ///< of the largest structures for rays that were needed at a time
-  /// Root mean square of a level-0 texel's over the baked looks in which anything answers; nothing when none was baked.
-  std::optional<double> relative_standard_error = {};
-  /// Texels of the baked looks that missed the target of the bake; none are counted when it had no target.
-  atlas::TexelsAboveTarget above_target = {};
+  /// Of the looks that this call baked alone, over their finest texels; of all that an atlas holds summary_of tells.
+  atlas::PowerErrors errors = {};
   /// Files, relative to the atlas, that were damaged or of which a part was missing, and were made anew.
   std::vector<atlas::StoreFault> mended = {};
 };

@@ -143,9 +143,8 @@ class GroundRun {
       if (!fault) continue;
       if (sigma0_[index].empty()) sigma0_[index] = sigma0_of(scene_, description, index);
       if (shares.empty()) shares = shares_of(scene_.ground, scene_.materials.size(), texels);
-      ground_.write(
-          patch, index, mixed(shares, sigma0_[index], texels),
-          {.seed = 0, .samples_per_texel = 0, .relative_standard_error = std::nullopt, .simd = "none", .counts = {}});
+      ground_.write(patch, index, mixed(shares, sigma0_[index], texels),
+                    {.seed = 0, .samples_per_texel = 0, .simd = "none", .counts = {}});
       note(std::move(*fault), folder());
     }
   }

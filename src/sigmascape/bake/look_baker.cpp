@@ -82,17 +82,6 @@ Array2D<float> relative_errors(const NoisyTexels& texels) {
   return errors;
 }
 
-std::optional<double> root_mean_square_of_lit(const Array2D<float>& errors, const Array2D<radar::Channels>& sigma0) {
-  double sum = 0.0;
-  std::size_t lit = 0;
-  for (std::size_t i = 0; i < errors.size(); ++i) {
-    if (sigma0.values()[i].power(radar::Polarization::Sum) <= 0.0F) continue;
-    sum += static_cast<double>(errors.values()[i]) * static_cast<double>(errors.values()[i]);
-    ++lit;
-  }
-  return lit > 0 ? std::optional(std::sqrt(sum / static_cast<double>(lit))) : std::nullopt;
-}
-
 }  // namespace
 
 LookBaker::LookBaker(const scene::Scene& scene, const BakeSettings& settings)
@@ -220,7 +209,6 @@ std::vector<BakedLook> LookBaker::bake(const radar::GroundGrid& texels, const tr
     if (of_frequency.several) put_shared(texels_of(*of_frequency.several, gains), settings_.threads, all);
     look.relative_errors = relative_errors(all);
     look.sigma0 = std::move(all.power);
-    look.relative_standard_error = root_mean_square_of_lit(look.relative_errors, look.sigma0);
     look.samples_per_texel = area.cells.empty() ? 0.0 : static_cast<double>(counts.paths) / area.whole_cells();
   }
   looks.front().counts = counts;

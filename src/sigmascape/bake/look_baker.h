@@ -23,10 +23,8 @@ namespace sigmascape::bake {
 struct BakedLook {
   Array2D<radar::Channels> sigma0;  ///< [column, row], north up, as PatchGrid::texels_of says
   Array2D<float> relative_errors;   ///< standard error of a texel's total power over that power; 0 where dark
-  /// Their root mean square over the lit texels; nothing where none is lit.
-  std::optional<double> relative_standard_error = {};
-  double samples_per_texel = 0.0;  ///< mean over the launch cells, each for as much as its share
-  trace::TraceCounts counts;       ///< of all frequencies together, with the first of them
+  double samples_per_texel = 0.0;   ///< mean over the launch cells, each for as much as its share
+  trace::TraceCounts counts;        ///< of all frequencies together, with the first of them
 };
 
 /// Bakes single looks of one scene, one at a time. What looks share is made once: the surface models of every frequency

@@ -15,6 +15,7 @@
 #include "sigmascape/bake/job.h"
 #include "sigmascape/bake/job_share.h"
 #include "sigmascape/bake/look_baker.h"
+#include "sigmascape/bake/part_progress.h"
 #include "sigmascape/bake/patch_room.h"
 #include "sigmascape/base/hash.h"
 #include "sigmascape/base/parallel.h"
@@ -40,9 +41,18 @@ class Trials {
         description_(description_of(scene, piece_)),
         baker_(scene, piece_) {}
 
-  [[nodiscard]] std::vector<Trial> at_all_elevations() const {
+  [[nodiscard]] std::vector<Trial> at_all_elevations(ProgressListener& progress) const {
+    const std::size_t count = settings_.aspects.elevations_rad.size();
+    const auto tell = [&](std::size_t done) {
+      progress.advanced("plan", static_cast<double>(done), static_cast<double>(count), "looks");
+    };
+    tell(0);
     std::vector<Trial> trials;
-    for (std::size_t i = 0; i < settings_.aspects.elevations_rad.size(); ++i) trials.push_back(at_elevation(i));
+    for (std::size_t i = 0; i < count; ++i) {
+      PartProgress part(progress, "plan", i, 1, count);
+      trials.push_back(at_elevation(i, part));
+      tell(i + 1);
+    }
     return trials;
   }
   /// Launch cells of these jobs together.
@@ -61,15 +71,14 @@ class Trials {
     return settings;
   }
 
-  [[nodiscard]] Trial at_elevation(std::size_t elevation) const {
+  [[nodiscard]] Trial at_elevation(std::size_t elevation, ProgressListener& progress) const {
     const auto& azimuths = settings_.aspects.azimuths_rad;
     const radar::Aspect aspect{azimuths[3 * elevation % azimuths.size()], settings_.aspects.elevations_rad[elevation]};
     const atlas::PatchIndex patch = piece_.patches.patch_at(scene_.extent.centre());
     // All looks of a patch share it: it is not a look's time.
     (void)baker_.geometry_about(piece_.patches.texels_of(patch));
     const auto begin = std::chrono::steady_clock::now();
-    SilentProgress silent;
-    const BakedLook look = baker_.bake(patch, aspect, silent).front();
+    const BakedLook look = baker_.bake(patch, aspect, progress).front();
     const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
     const auto texels = piece_.patches.texels_of(patch);
     const double cells = baker_.area_of(texels, aspect).whole_cells();
@@ -140,7 +149,7 @@ std::size_t looks_there(const std::optional<atlas::Store>& store, const Job& job
 }  // namespace
 
 BakePlan plan(const scene::Scene& scene, const BakeSettings& settings, const std::filesystem::path& folder,
-              const Shard& shard) {
+              ProgressListener& progress, const Shard& shard) {
   check(settings);
   check(shard);
   check_room(scene, settings);
@@ -148,7 +157,7 @@ BakePlan plan(const scene::Scene& scene, const BakeSettings& settings, const std
   const auto store = atlas::Store::find(folder, description);
   const auto begin = std::chrono::steady_clock::now();
   const Trials trials(scene, settings);
-  const std::vector<Trial> found = trials.at_all_elevations();
+  const std::vector<Trial> found = trials.at_all_elevations(progress);
   BakePlan plan;
   plan.probe_looks = found.size();
   plan.probe_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();

@@ -5,6 +5,7 @@
 
 #include "sigmascape/bake/bake_settings.h"
 #include "sigmascape/bake/shard.h"
+#include "sigmascape/base/progress.h"
 #include "sigmascape/scene/scene.h"
 
 namespace sigmascape::bake {
@@ -33,9 +34,11 @@ struct BakePlan {
 
 /// Plans a bake without writing anything: time and size are those of a trial. For each elevation a piece of 256 × 256
 /// texels in the middle of the scene is baked, each time from another azimuth; a look's time goes with its launch
-/// cells, its size with its texels. So it is as good as the middle of the scene speaks for the rest. Throws Error as
-/// bake does, when another scene or other settings are in `folder` as well.
+/// cells, its size with its texels. So it is as good as the middle of the scene speaks for the rest. It takes as long
+/// as these pieces, with all their rays: as the bake itself, of one azimuth, where the scene is no larger. Tells
+/// `progress` of them as "looks" of the work "plan". Throws Error as bake does, when another scene or other settings
+/// are in `folder` as well.
 [[nodiscard]] BakePlan plan(const scene::Scene& scene, const BakeSettings& settings,
-                            const std::filesystem::path& folder, const Shard& shard = {});
+                            const std::filesystem::path& folder, ProgressListener& progress, const Shard& shard = {});
 
 }  // namespace sigmascape::bake

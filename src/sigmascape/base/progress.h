@@ -13,7 +13,7 @@ class ProgressListener {
   /// count.
   virtual void advanced(std::string_view task, double done, double total, std::string_view unit) = 0;
   /// How the work called `task` goes beside that: `quantity` is now `value`. A bake tells of "rays" traced so far and
-  /// of the "relative_standard_error" of a texel, root mean square over what it has baked.
+  /// of the "relative_standard_error" of what it has baked, weighted by power.
   virtual void measured(std::string_view /*task*/, std::string_view /*quantity*/, double /*value*/) {}
   /// The work called `task` cannot go on before `what` ("another process that is at patch_+000_+000"): told many times
   /// a second until it does.

@@ -79,5 +79,19 @@ TEST(AtlasSummary, OfAnAtlasThatHoldsEverythingNoGroundIsPlanned) {
   EXPECT_FALSE(summary.ground_fault);
 }
 
+// Items of earlier programs do not tell.
+TEST(AtlasSummary, SaysOfHowManyLooksTheErrorIsTold) {
+  const ScratchFolder folder;
+  const Store store = Store::create(folder.path("atlas"), example_description());
+  const PowerError error{.power = 2.0, .standard_error = 0.5};
+  store.write({0, 0}, 0, example_texels(512, 1), {.samples_per_texel = 8.0, .simd = "avx2", .counts = {}});
+  store.write({0, 0}, 1, example_texels(512, 2),
+              {.samples_per_texel = 8.0, .simd = "avx2", .counts = {}, .error = error});
+  const AtlasSummary summary = summary_of(store);
+  EXPECT_EQ(summary.looks_done, 2U);
+  EXPECT_EQ(summary.looks_told, 1U);
+  EXPECT_EQ(summary.errors.relative(), 0.25);
+}
+
 }  // namespace
 }  // namespace sigmascape::atlas

@@ -52,7 +52,7 @@ class StoreTest : public testing::Test {
   [[nodiscard]] Store filled(const std::filesystem::path& folder) const {
     Store store = Store::create(folder, example_description());
     for (const Unit& unit : store.units()) {
-      store.write(unit.patch, unit.look, example_texels(512, unit.look), {7, 64, 0.05, "avx2", {{"rays_lost", 3}}});
+      store.write(unit.patch, unit.look, example_texels(512, unit.look), {7, 64, "avx2", {{"rays_lost", 3}}});
     }
     return store;
   }
@@ -601,7 +601,7 @@ TEST_F(StoreTest, AtlasesOfTheFormerFormatAreReadAndGoOn) {
   AtlasDescription former = example_description();
   former.format_version = 1;
   const Store store = Store::create(folder_, former);
-  store.write({0, 0}, 0, example_texels(512, 1), {7, 64, 0.05, "avx2", {}});
+  store.write({0, 0}, 0, example_texels(512, 1), {7, 64, "avx2", {}});
   const auto item = (folder_ / store.texture_path({0, 0}, 0)).replace_extension(".json");
   std::string text = bytes_of(item);
   const std::size_t settings = text.find("\"sigmascape:settings\"");
@@ -613,7 +613,7 @@ TEST_F(StoreTest, AtlasesOfTheFormerFormatAreReadAndGoOn) {
   EXPECT_EQ(opened.description().format_version, 1);
   EXPECT_TRUE(opened.is_done({0, 0}, 0, Scrutiny::Content));
   EXPECT_NO_THROW(static_cast<void>(opened.read({0, 0}, 0)));
-  opened.write({0, 0}, 1, example_texels(512, 1), {7, 64, 0.05, "avx2", {}});
+  opened.write({0, 0}, 1, example_texels(512, 1), {7, 64, "avx2", {}});
   alter_item((folder_ / store.texture_path({0, 0}, 1)).replace_extension(".json"), "\"gsd\": 1.0", "\"gsd\": 2.0");
   EXPECT_FALSE(opened.is_done({0, 0}, 1)) << "what was written since vouches for itself";
   alter_item(item, "\"sigmascape:seed\": 7", "\"sigmascape:seed\": 8");

@@ -95,7 +95,7 @@ TEST(Bake, BareConstantGammaGroundIsGammaTimesSine) {
   const BakeReport report = baked(bare_scene(), settings, folder.path("a"));
   EXPECT_EQ(report.looks, 4U);
   EXPECT_EQ(report.already, 0U);
-  EXPECT_LT(report.relative_standard_error.value(), 0.01);
+  EXPECT_LT(report.errors.relative().value(), 0.01);
   const auto store = atlas::Store::open(folder.path("a"));
   for (const atlas::Unit& unit : store.units()) {
     const double elevation_rad = store.description().aspects.look(unit.look).aspect.elevation_rad;
@@ -155,7 +155,7 @@ TEST(Bake, ResumesWithTheSameBytes) {
   const BakeReport nothing_left = baked(scene, small_bake(), folder.path("a"));
   EXPECT_EQ(nothing_left.already, 4U);
   EXPECT_EQ(nothing_left.counts.paths, 0U);
-  EXPECT_FALSE(nothing_left.relative_standard_error) << "of nothing there is no error";
+  EXPECT_FALSE(nothing_left.errors.relative()) << "of nothing there is no error";
   EXPECT_TRUE(nothing_left.mended.empty());
 }
 
@@ -414,7 +414,7 @@ TEST(Bake, APatchWithNothingInItIsBlackAndDone) {
   for (std::size_t row = 0; row < 128; ++row) {
     for (std::size_t column = 128; column < 256; ++column) ASSERT_EQ(texels(column, row).vv, 0.0F);
   }
-  EXPECT_TRUE(std::isfinite(report.relative_standard_error.value()));
+  EXPECT_TRUE(std::isfinite(report.errors.relative().value()));
 }
 
 // What is not there is not known to no percent.
@@ -424,10 +424,88 @@ TEST(Bake, WhereNothingReturnsThereIsNoError) {
   black.materials.front().model = scatter::LambertParameters{0.0, {0.1, 0.5}};
   const BakeReport report = baked(black, small_bake(), folder.path("a"));
   EXPECT_GT(report.counts.rays, 0U);
-  EXPECT_FALSE(report.relative_standard_error);
+  EXPECT_FALSE(report.errors.relative());
   const auto summary = atlas::summary_of(atlas::Store::open(folder.path("a")));
   EXPECT_EQ(summary.looks_done, 4U);
-  EXPECT_FALSE(summary.error);
+  EXPECT_FALSE(summary.errors.relative());
+  EXPECT_FALSE(summary.errors.empty());
+}
+
+/// A box whose walls see the ground before them.
+scene::Scene scene_with_corner() {
+  scene::Scene scene = scene_with_box();
+  scene.materials.front().model = scatter::LambertParameters{0.4, {0.1, 0.5}};
+  return scene;
+}
+
+BakeSettings two_bounces(const Sampling& sampling) {
+  BakeSettings settings = small_bake({25.0});
+  settings.shadows = Shadows::RunTime;
+  settings.sampling = sampling;
+  settings.max_bounces = 2;
+  return settings;
+}
+
+// Rounding to the noise moves a texel by an eighth of its error at most, and steps of 0.2 dB an error by 2.4 %.
+TEST(Bake, ErrorsToldAreThoseOfTheStoredTextures) {
+  const ScratchFolder folder;
+  const Sampling sampling{.target_db = 0.4, .most_samples = 32};
+  const BakeReport report = baked(scene_with_corner(), two_bounces(sampling), folder.path("a"));
+  const auto store = atlas::Store::open(folder.path("a"));
+  atlas::PowerErrors stored;
+  for (const auto& [patch, look] : store.units()) {
+    stored.add(look, atlas::power_error(store.read(patch, look).front(), store.read_errors(patch, look),
+                                        sampling.relative_target()));
+  }
+  const double error = report.errors.relative().value();
+  EXPECT_GT(error, 0.01);
+  EXPECT_NEAR(stored.relative().value(), error, 0.03 * error);
+  EXPECT_NEAR(stored.part_above_target().value(), report.errors.part_above_target().value(), 0.05);
+  const atlas::PowerErrors told = atlas::summary_of(store).errors;
+  EXPECT_EQ(told.relative(), report.errors.relative());
+  EXPECT_EQ(told.part_above_target(), report.errors.part_above_target());
+  EXPECT_EQ(told.part_of_all(), report.errors.part_of_all());
+}
+
+// Though more of them light more texels by one stray path.
+TEST(Bake, MoreRaysBringALowerError) {
+  const ScratchFolder folder;
+  const auto errors_with = [&](std::uint32_t most_samples) {
+    return baked(scene_with_corner(), two_bounces({.target_db = 0.1, .most_samples = most_samples}),
+                 folder.path(std::to_string(most_samples)))
+        .errors;
+  };
+  const atlas::PowerErrors few = errors_with(8), more = errors_with(64), most = errors_with(512);
+  EXPECT_LT(more.relative().value(), 0.8 * few.relative().value());
+  EXPECT_LT(most.relative().value(), 0.85 * more.relative().value());
+  EXPECT_LT(more.part_above_target().value(), few.part_above_target().value());
+  EXPECT_LT(most.part_above_target().value(), more.part_above_target().value());
+}
+
+TEST(Bake, AResumedBakeTellsOfItsOwnLooksAndTheSummaryOfAll) {
+  const ScratchFolder folder;
+  const BakeSettings settings = two_bounces({.samples_per_texel = 8});
+  const scene::Scene scene = scene_with_corner();
+  SilentProgress silent;
+  const auto share = [&](std::size_t index) {
+    return bake(scene, settings, folder.path("a"), silent, {{index, 2}}).errors.relative().value();
+  };
+  const double first = share(0), second = share(1);
+  EXPECT_NE(first, second);
+  const auto spread = atlas::summary_of(atlas::Store::open(folder.path("a"))).errors.spread().value();
+  EXPECT_EQ(spread.smallest, std::min(first, second));
+  EXPECT_EQ(spread.largest, std::max(first, second));
+}
+
+TEST(Bake, OfBareGroundThatIsKeptApartNextToNothingIsBaked) {
+  const ScratchFolder folder;
+  const BakeReport level = baked(bare_scene(512.0), two_bounces({.samples_per_texel = 8}), folder.path("level"));
+  EXPECT_FALSE(level.errors.relative()) << "no path leaves level ground to meet it again";
+  EXPECT_EQ(level.errors.part_of_all(), 0.0);
+  BakeSettings all_in = two_bounces({.samples_per_texel = 8});
+  all_in.shadows = Shadows::Baked;
+  const BakeReport among_texels = baked(bare_scene(512.0), all_in, folder.path("all"));
+  EXPECT_EQ(among_texels.errors.part_of_all(), 1.0);
 }
 
 TEST(Bake, OtherSettingsAreRefusedNamingTheDifference) {
@@ -491,7 +569,7 @@ TEST(Bake, StandardErrorDoesNotComeFromOddNumbersOfSamples) {
   const ScratchFolder folder;
   BakeSettings settings = small_bake({40.0});
   settings.sampling.samples_per_texel = 5;
-  EXPECT_LT(baked(bare_scene(), settings, folder.path("a")).relative_standard_error.value(), 0.01);
+  EXPECT_LT(baked(bare_scene(), settings, folder.path("a")).errors.relative().value(), 0.01);
 }
 
 // Atlases from before texels could share, or be rounded to, their noise know neither and go on as they began.

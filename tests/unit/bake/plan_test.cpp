@@ -1,8 +1,11 @@
 #include "sigmascape/bake/plan.h"
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
+#include <string_view>
 #include <vector>
 
 #include "scratch_folder.h"
@@ -55,11 +58,17 @@ double all_cells(const scene::Scene& scene, const BakeSettings& settings) {
   return cells;
 }
 
+BakePlan planned(const scene::Scene& scene, const BakeSettings& settings, const std::filesystem::path& folder,
+                 const Shard& shard = {}) {
+  SilentProgress silent;
+  return plan(scene, settings, folder, silent, shard);
+}
+
 TEST(BakePlan, CountsTheCellsOfEachOfAFewJobs) {
   const ScratchFolder folder;
   const scene::Scene scene = scene_with_tower(1000.0);
   const BakeSettings settings = settings_with(3);
-  const BakePlan whole = plan(scene, settings, folder.path("none"));
+  const BakePlan whole = planned(scene, settings, folder.path("none"));
   EXPECT_EQ(whole.jobs, 4U * 3U * 2U);
   EXPECT_EQ(whole.jobs_counted, whole.jobs);
   const double cells = all_cells(scene, settings);
@@ -67,7 +76,7 @@ TEST(BakePlan, CountsTheCellsOfEachOfAFewJobs) {
 
   double of_shares = 0.0;
   for (std::size_t index = 0; index < 5; ++index) {
-    const BakePlan share = plan(scene, settings, folder.path("none"), {.index = index, .count = 5});
+    const BakePlan share = planned(scene, settings, folder.path("none"), {.index = index, .count = 5});
     EXPECT_GE(share.patches_of_share, 3U) << "of all four some";
     EXPECT_FALSE(share.has_whole_patches);
     of_shares += share.cells;
@@ -81,7 +90,7 @@ TEST(BakePlan, OfManyJobsSomeStandForTheOthers) {
   const ScratchFolder folder;
   const scene::Scene scene = scene_with_tower(2300.0);
   const BakeSettings settings = settings_with(8);
-  const BakePlan many = plan(scene, settings, folder.path("none"));
+  const BakePlan many = planned(scene, settings, folder.path("none"));
   EXPECT_EQ(many.jobs, 25U * 8U * 2U);
   EXPECT_EQ(many.looks, many.jobs);
   EXPECT_EQ(many.patches_of_share, 25U);
@@ -98,25 +107,49 @@ TEST(BakePlan, OfWhatIsThereNothingIsLeft) {
   SilentProgress silent;
   bake(scene, settings, folder.path("a"), silent,
        {.shard = {.index = 0, .count = 2}, .scrutiny = atlas::Scrutiny::Size});
-  const BakePlan half = plan(scene, settings, folder.path("a"));
+  const BakePlan half = planned(scene, settings, folder.path("a"));
   EXPECT_EQ(half.looks, 4U);
   EXPECT_EQ(half.already, 2U);
   EXPECT_EQ(half.jobs_counted, 2U);
   EXPECT_GT(half.seconds, 0.0);
-  const BakePlan done = plan(scene, settings, folder.path("a"), {.index = 0, .count = 2});
+  const BakePlan done = planned(scene, settings, folder.path("a"), {.index = 0, .count = 2});
   EXPECT_EQ(done.already, done.looks);
   EXPECT_EQ(done.cells, 0.0);
   EXPECT_EQ(done.seconds, 0.0);
   EXPECT_GT(done.bytes, 0.0);
 }
 
+/// Takes down what it hears.
+class Listener final : public ProgressListener {
+ public:
+  void advanced(std::string_view task, double done, double total, std::string_view unit) override {
+    EXPECT_EQ(task, "plan");
+    EXPECT_EQ(unit, "looks");
+    EXPECT_EQ(total, 2.0);
+    told.push_back(done);
+  }
+  std::vector<double> told;
+};
+
+TEST(BakePlan, TellsHowFarItsTrialsAre) {
+  const ScratchFolder folder;
+  Listener listener;
+  static_cast<void>(plan(scene_with_tower(100.0), settings_with(2), folder.path("none"), listener));
+  ASSERT_FALSE(listener.told.empty());
+  EXPECT_TRUE(std::ranges::is_sorted(listener.told));
+  EXPECT_EQ(listener.told.front(), 0.0);
+  EXPECT_EQ(listener.told.back(), 2.0);
+  const auto within_a_look = [](double done) { return done != std::floor(done); };
+  EXPECT_TRUE(std::ranges::any_of(listener.told, within_a_look));
+}
+
 TEST(BakePlan, IsRefusedWhereTheBakeWouldBe) {
   const ScratchFolder folder;
   std::filesystem::create_directories(folder.path("a"));
   std::ofstream(folder.path("a") / "dataset.json") << "{}";
-  EXPECT_EQ(
-      message_of_error([&] { static_cast<void>(plan(scene_with_tower(100.0), settings_with(2), folder.path("a"))); }),
-      folder.path("a").string() + ": holds a dataset; choose an empty folder");
+  EXPECT_EQ(message_of_error(
+                [&] { static_cast<void>(planned(scene_with_tower(100.0), settings_with(2), folder.path("a"))); }),
+            folder.path("a").string() + ": holds a dataset; choose an empty folder");
 }
 
 }  // namespace
