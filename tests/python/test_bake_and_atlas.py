@@ -94,7 +94,8 @@ def test_sigma0_at_no_place_is_refused_and_nothing_outside_the_atlas(atlas):
     assert atlas.sigma0_at([], [], **look).shape == (0, 4)
 
 
-def test_a_bake_goes_on_where_it_stopped_and_tells_its_progress(scene, tmp_path):
+def test_a_bake_goes_on_where_it_stopped_and_tells_its_progress(tmp_path):
+    scene = sigmascape.Scene.simple(side_m=96.0, ground_material="grass")
     options = dict(azimuths=2, elevations_deg=[30.0], texel_m=2.0, patch_texels=256, samples=2)
     told = []
     first = sigmascape.bake(scene, tmp_path, **options, progress=lambda *report: told.append(report))
