@@ -21,6 +21,12 @@ struct WeighedCause {
 
   [[nodiscard]] std::string text() const { return fmt::format("{} ({})", contrast.name, contrast.how); }
   [[nodiscard]] PairedFall fall() const { return paired(falls); }
+  /// At one view; 0 where it was not measured.
+  [[nodiscard]] double falls_by_at(double azimuth_deg, double elevation_deg) const {
+    const auto at_view =
+        std::ranges::find_if(falls, [&](const FallAtView& fall) { return fall.is_at(azimuth_deg, elevation_deg); });
+    return at_view != falls.end() ? at_view->falls_by : 0.0;
+  }
 };
 
 std::vector<WeighedCause> weighed_causes(const ResultsPlan& plan, const std::vector<ResultsRow>& rows, ViewKind kind,
@@ -39,11 +45,10 @@ const WeighedCause* largest_at(const std::vector<WeighedCause>& causes, double a
   const WeighedCause* largest = nullptr;
   double most = 0.0;
   for (const WeighedCause& cause : causes) {
-    for (const FallAtView& fall : cause.falls) {
-      if (!fall.is_at(azimuth_deg, elevation_deg) || fall.falls_by <= most) continue;
-      most = fall.falls_by;
-      largest = &cause;
-    }
+    const double falls_by = cause.falls_by_at(azimuth_deg, elevation_deg);
+    if (falls_by <= most) continue;
+    most = falls_by;
+    largest = &cause;
   }
   return largest;
 }
@@ -183,19 +188,17 @@ std::string flat_shadows_text(const ResultsPlan& plan, const std::vector<Results
   const WeighedCause* cause = largest_at(weighed, worst.azimuth_deg, worst.elevation_deg);
   const bool is_far_off = std::abs(worst.tested.bias_db) >= least_bias_db;
   if (!is_far_off || cause == nullptr || cause->contrast.name != flat_shadows) return {};
-  const auto fall = std::ranges::find_if(
-      cause->falls, [&](const FallAtView& view) { return view.is_at(worst.azimuth_deg, worst.elevation_deg); });
   const bool is_dark = worst.tested.bias_db < 0.0;
   return fmt::format(
       "The total power of the paper's maps is farthest off at azimuth {:.1f}°, elevation {:.1f}°: {} dB too {}, {} dB "
-      "RMS, correlation "
-      "{}. There flat-ground shadows are the largest cause: our own maps come closer by {} dB when shadows are made "
-      "at run time. Baked ones are {:.1f} times as long as what casts them is high, "
-      "whatever the slope; on those that face {} the radar true shadows are {}.",
+      "RMS, correlation {}. There flat-ground shadows are the largest cause: our own maps come closer by {} dB when "
+      "shadows are made at run time. Baked ones are {:.1f} times as long as what casts them is high, whatever the "
+      "slope; on those that face {} the radar true shadows are {}.",
       worst.azimuth_deg, worst.elevation_deg, number_text(std::abs(worst.tested.bias_db), 2),
       is_dark ? "dark" : "bright", number_text(worst.tested.rms_db, 2), number_text(worst.tested.correlation_db, 3),
-      number_text(fall->falls_by, 2), 1.0 / std::tan(radians_from_deg(worst.elevation_deg)),
-      is_dark ? "towards" : "away from", is_dark ? "shorter" : "longer");
+      number_text(cause->falls_by_at(worst.azimuth_deg, worst.elevation_deg), 2),
+      1.0 / std::tan(radians_from_deg(worst.elevation_deg)), is_dark ? "towards" : "away from",
+      is_dark ? "shorter" : "longer");
 }
 
 std::string causes_section(const ResultsPlan& plan, const std::vector<ResultsRow>& rows) {

@@ -103,8 +103,8 @@ std::string claims_section(const ResultsReport& report) {
   if (!plan.is_the_papers_scene() || !from.are_measured()) return {};
   return fmt::format(
              "## What the paper says\n\nBeside it what is measured here of its method, from {} looks where nothing "
-             "else "
-             "is said, and of ours on its own ground; times are of processors, on {:.0f} m a side, the paper's of a "
+             "else is said, and of ours on its own ground; times are of processors, on {:.0f} m a side, the paper's of "
+             "a "
              "graphics card, on 2 km.\n\n| the paper says | measured here |\n|---|---|\n",
              plan.paper_grid().name(), plan.side_m()) +
          likeness(report) + power_and_speed(report, from) + looks_and_bytes(report) + vertices(report.vertices) + "\n";

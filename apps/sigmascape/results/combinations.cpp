@@ -127,8 +127,8 @@ std::string rms_text(const ResultsRow& row) {
 std::string found_from_the_papers_looks(const ResultsPlan& plan, const Best& best) {
   const std::string compared = fmt::format(
       "Maps rendered from baked textures are held against path-traced ones, cell by cell of {:.0f} m, at {} from "
-      "directions that were not baked. From the {} directions (azimuths × "
-      "elevations) of the paper that is followed here ",
+      "directions that were not baked. From the {} directions (azimuths × elevations) "
+      "of the paper that is followed here ",
       summary_cell_m, counted(best.paper->views, "view", "views"), plan.paper_grid().name());
   if (best.alike == nullptr)
     return compared + fmt::format("the paper's method is off by {} RMS in the median. ", rms_text(*best.paper));

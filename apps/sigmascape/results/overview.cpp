@@ -49,8 +49,8 @@ std::string overview_section(const ResultsReport& report) {
   const std::string grid = plan.paper_grid().name(), next = plan.next_grid().name();
   std::string text = fmt::format(
       "## All scenes\n\nRMS of dB at {:.0f} m cells, medians over the held-out views of each scene; *ours* is on its "
-      "own "
-      "ground, and *closer* says at how many of the views it comes closer than the paper's method from the same looks. "
+      "own ground, and *closer* says at how many of the views it comes closer than the paper's method from the same "
+      "looks. "
       "*Truth* is one traced map against another: no less than half of it can be shown.\n\n"
       "| scene | {} looks: paper | ours | closer | {} looks: paper | ours | closer | truth |\n"
       "|---|---:|---:|---:|---:|---:|---:|---:|\n",
