@@ -45,6 +45,10 @@ std::string two_digits(double value) {
   return number_text(value, std::max(0, 1 - static_cast<int>(std::floor(std::log10(rounded)))));
 }
 
+std::string rms_text(const ResultsRow& row) {
+  return number_text(summary_cell(&row)->median.rms_db, 2) + " dB";
+}
+
 std::string megabytes(std::uintmax_t bytes) {
   return number_text(static_cast<double>(bytes) / 1e6, 2);
 }

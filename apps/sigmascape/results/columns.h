@@ -21,6 +21,8 @@ namespace sigmascape::cli {
 [[nodiscard]] int decimals_that_tell(double value, double aim, int at_least);
 /// At least two digits that count, and no power of ten: "0.018", "0.43", "1.9", "81", "238".
 [[nodiscard]] std::string two_digits(double value);
+/// "5.02 dB": the median RMS at summary_cell_m, which the row has.
+[[nodiscard]] std::string rms_text(const ResultsRow& row);
 /// "26.84".
 [[nodiscard]] std::string megabytes(std::uintmax_t bytes);
 

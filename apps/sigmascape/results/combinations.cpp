@@ -119,10 +119,6 @@ std::optional<Best> best_of(const ResultsPlan& plan, const std::vector<ResultsRo
               of_all, of_all != nullptr ? by(Method::Paper, *of_all, plan, rows) : nullptr};
 }
 
-std::string rms_text(const ResultsRow& row) {
-  return number_text(summary_cell(&row)->median.rms_db, 2) + " dB";
-}
-
 /// What is compared, and how far both methods are from traced maps, from the paper's looks.
 std::string found_from_the_papers_looks(const ResultsPlan& plan, const Best& best) {
   const std::string compared = fmt::format(

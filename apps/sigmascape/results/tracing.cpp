@@ -21,10 +21,6 @@ double rms_of(const ResultsRow& row) {
   return summary_cell(&row)->median.rms_db;
 }
 
-std::string rms_text(const ResultsRow& row) {
-  return number_text(rms_of(row), 2) + " dB";
-}
-
 /// Fewest first. Medians are held against one another, so that what only some of the views were traced with is left
 /// out.
 std::vector<const ResultsRow*> traced_with_few_rays(const ResultsPlan& plan, const std::vector<ResultsRow>& rows) {

@@ -118,15 +118,13 @@ LiveReceiver::Beams LiveReceiver::drawn_since(const Frame& frame) const {
 
 LiveReceiver::Beams LiveReceiver::over_one_window(const Frame& frame, Beams beams) {
   if (!responses_->ground.places().tell_elevations_apart()) return beams;
-  bool is_covered = false;
-  Vec3d covered;
+  std::optional<Vec3d> covered;
   std::size_t count = 0;
   for (; count < beams.count; ++count) {
     const auto& [radar, drawing] = frame.beams[(beams.first + count) % grid_.azimuths];
-    if (drawing == 0 || (is_covered && radar == covered)) continue;
-    if (is_covered && !ground_.covers(grid_, {radar.x, radar.y}, frame.earth)) break;
-    if (!is_covered) ground_.cover(grid_, {radar.x, radar.y}, frame.earth);
-    is_covered = true;
+    if (drawing == 0 || radar == covered) continue;
+    if (covered && !ground_.covers(grid_, {radar.x, radar.y}, frame.earth)) break;
+    if (!covered) ground_.cover(grid_, {radar.x, radar.y}, frame.earth);
     covered = radar;
   }
   return {beams.first, count};

@@ -149,6 +149,11 @@ void check(const Pose& pose, const std::string& where) {
     throw Error(where, fmt::format("is at time {} s", pose.moment.time_s), "give a number");
 }
 
+radar::RangeAzimuthGrid bins_of(const LiveSettings& settings, const Pose& pose) {
+  return {pose.first_range_m,     settings.range_step_m,  settings.ranges,
+          pose.first_azimuth_rad, settings.beam_step_rad, settings.beams};
+}
+
 void check_step(std::size_t first_beam, std::size_t count, std::size_t beams) {
   if (first_beam >= beams) {
     throw Error("first_beam", fmt::format("is {}, and there are {} beams", first_beam, beams),
@@ -245,7 +250,7 @@ void LiveRenderer::fill(const Pose& pose, Beams beams) {
   look_at_targets(pose, beams, levels);
   find_shadows_of_targets(pose);
   beams_.begin(beams.first, beams.end - beams.first);
-  frame_.grid = bins_of(pose);
+  frame_.grid = bins_of(settings_, pose);
   targets_.tell_apart(beams.first, beams.end - beams.first);
   frame_.targets = targets_.apart();
   const std::size_t group = beams_together(settings_.beam_step_rad), first_group = beams.first / group;
@@ -310,11 +315,6 @@ void LiveRenderer::prepare(const Pose& pose) {
   } else {
     frame_.powers_m2 = bins_;
   }
-}
-
-radar::RangeAzimuthGrid LiveRenderer::bins_of(const Pose& pose) const {
-  return {pose.first_range_m,     settings_.range_step_m,  settings_.ranges,
-          pose.first_azimuth_rad, settings_.beam_step_rad, settings_.beams};
 }
 
 radar::Rectangle LiveRenderer::under(Beams beams, Vec3d radar, double near_m, double far_m) const {

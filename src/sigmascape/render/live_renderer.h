@@ -74,6 +74,9 @@ struct Pose {
 /// velocities that are beyond all that a radar looks at from the Earth.
 void check(const Pose& pose, const std::string& where);
 
+/// Where the bins of a frame lie.
+[[nodiscard]] radar::RangeAzimuthGrid bins_of(const LiveSettings& settings, const Pose& pose);
+
 /// Throws Error for a step of a scan of no beams, and for one that begins behind the last of `beams`. One that goes on
 /// behind the last is of those that are there.
 void check_step(std::size_t first_beam, std::size_t count, std::size_t beams);
@@ -147,7 +150,6 @@ class LiveRenderer {
   [[nodiscard]] const HorizonGrid& grid() const { return visible_[0].horizon().grid(); }
   /// Of the terrain, for a level of the textures.
   [[nodiscard]] int terrain_level(std::size_t level) const;
-  [[nodiscard]] radar::RangeAzimuthGrid bins_of(const Pose& pose) const;
   /// The ground between two distances under those beams.
   [[nodiscard]] radar::Rectangle under(Beams beams, Vec3d radar, double near_m, double far_m) const;
   [[nodiscard]] Beams beams_of(std::size_t sector) const {

@@ -71,11 +71,6 @@ std::vector<radar::ShadowBox> boxes_of(const render::Pose& pose) {
   return boxes;
 }
 
-radar::RangeAzimuthGrid grid_of(const render::LiveSettings& settings, const render::Pose& pose) {
-  return {pose.first_range_m,     settings.range_step_m,  settings.ranges,
-          pose.first_azimuth_rad, settings.beam_step_rad, settings.beams};
-}
-
 }  // namespace
 
 LiveTracer::LiveTracer(const scene::Scene& scene, const trace::SceneGeometry& geometry,
@@ -123,7 +118,7 @@ const render::Frame& LiveTracer::scan(const render::Pose& pose, std::size_t firs
   render::check_step(first_beam, count, settings_.beams);
   const Beams beams{first_beam, std::min(count, settings_.beams - first_beam)};
   std::vector<radar::ShadowBox> boxes = boxes_of(pose);
-  const bool goes_on = position_ == pose.position && grid_ == grid_of(settings_, pose) && boxes_ == boxes;
+  const bool goes_on = position_ == pose.position && grid_ == render::bins_of(settings_, pose) && boxes_ == boxes;
   // Of a call that is broken off nothing can be gone on with.
   position_.reset();
   if (!goes_on) begin(pose);
@@ -145,7 +140,7 @@ const render::Frame& LiveTracer::scan(const render::Pose& pose, std::size_t firs
 
 void LiveTracer::begin(const render::Pose& pose) {
   steps_.clear();
-  grid_ = grid_of(settings_, pose);
+  grid_ = render::bins_of(settings_, pose);
   if (keeps_cells()) {
     frame_.amplitudes_m = {reinterpret_cast<const std::complex<float>*>(bins_.data()), bins_.size() / 2};
   } else {
