@@ -18,6 +18,7 @@
 #include "words.h"
 
 #include "sigmascape/atlas/atlas_summary.h"
+#include "sigmascape/atlas/building_file.h"
 #include "sigmascape/atlas/ground_layers.h"
 #include "sigmascape/atlas/levels_above.h"
 #include "sigmascape/atlas/store.h"
@@ -142,6 +143,12 @@ nlohmann::ordered_json json_of(const atlas::AtlasSummary::Files& files) {
   return {{"files", files.planned}, {"files_done", files.done}};
 }
 
+/// Null where buildings are not kept apart.
+nlohmann::ordered_json buildings_of(const atlas::Store& atlas, const atlas::AtlasSummary& summary) {
+  if (!atlas::keeps_buildings_apart(atlas.description())) return nullptr;
+  return {{"faults", json_of(in_list(summary.buildings_fault))}};
+}
+
 /// Null where the ground is not kept apart. How many files it has nobody knows without its collection.
 nlohmann::ordered_json ground_of(const atlas::Store& atlas, const atlas::AtlasSummary& summary) {
   if (!atlas::keeps_ground_apart(atlas)) return nullptr;
@@ -170,6 +177,7 @@ nlohmann::ordered_json summary_of(const atlas::Store& store, const atlas::AtlasS
             {"textures_done", summary.pyramid.done}}},
           {"obstacles", atlas::keeps_ground_apart(store) ? json_of(summary.obstacles) : nullptr},
           {"ground", ground_of(store, summary)},
+          {"buildings", buildings_of(store, summary)},
           {"terrain", {{"faults", json_of(terrain_faults(store, summary))}}},
           {"bytes", summary.bytes},
           {"bytes_per_look", summary.bytes_per_look},
@@ -236,6 +244,8 @@ std::string text_of(const atlas::Store& store, const atlas::AtlasSummary& summar
     line("obstacles", files_text(summary.obstacles));
     line("ground", summary.ground_fault ? faults_text({*summary.ground_fault}) : files_text(summary.ground));
   }
+  if (atlas::keeps_buildings_apart(atlas))
+    line("buildings", summary.buildings_fault ? faults_text({*summary.buildings_fault}) : "all there");
   const std::vector<atlas::StoreFault> of_terrain = terrain_faults(store, summary);
   line("terrain", of_terrain.empty() ? "all there" : faults_text(of_terrain));
   line("size",

@@ -125,6 +125,11 @@ void BakeOptions::add_what_stands(Command command) {
                   "what objects stand on while they are baked: their own terrain, or level ground; always level "
                   "with --shadows baked")
       .default_str("terrain");
+  add_word_option(command, "--buildings", buildings,
+                  {{"baked", bake::Buildings::Baked}, {"apart", bake::Buildings::Apart}},
+                  "what they return directly: baked as all else, or made at run time from walls and roofs, which are "
+                  "stored then; not for live frames yet")
+      .default_str("baked");
 }
 
 bake::BakeSettings BakeOptions::settings() const {
@@ -148,6 +153,7 @@ bake::BakeSettings BakeOptions::settings() const {
   settings.seed = seed;
   settings.shadows = shadows;
   settings.footing = footing;
+  settings.buildings = buildings;
   settings.noise = noise;
   settings.mantissa_bits = mantissa_bits;
   settings.digits = digits;

@@ -25,6 +25,7 @@ struct BakeOptions {
   std::uint64_t seed = 1;
   bake::Shadows shadows = bake::Shadows::RunTime;
   trace::Footing footing = trace::Footing::Terrain;
+  bake::Buildings buildings = bake::Buildings::Baked;
   bake::Noise noise = bake::Noise::Own;
   int mantissa_bits = 10;
   atlas::Digits digits = atlas::Digits::ToNoise;

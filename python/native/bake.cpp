@@ -72,8 +72,8 @@ bake::BakeReport baked(const LoadedScene& scene, const std::filesystem::path& fo
                        const std::vector<double>& elevations_deg, const std::vector<double>& frequencies_ghz,
                        double texel_m, PatchTexels patch_texels, std::optional<RaysATexel> samples,
                        std::optional<double> target_db, std::optional<MostSamples> most_samples, BakeBounces bounces,
-                       Seed seed, const std::string& shadows, const std::string& noise, MantissaBits mantissa_bits,
-                       const std::string& digits, const std::string& shard, Threads threads,
+                       Seed seed, const std::string& shadows, const std::string& buildings, const std::string& noise,
+                       MantissaBits mantissa_bits, const std::string& digits, const std::string& shard, Threads threads,
                        const py::object& progress) {
   bake::BakeSettings settings;
   settings.patches = {.texel_m = texel_m, .texels_per_side = patch_texels};
@@ -81,6 +81,8 @@ bake::BakeReport baked(const LoadedScene& scene, const std::filesystem::path& fo
   settings.max_bounces = bounces;
   settings.seed = seed;
   settings.shadows = is_second("shadows", shadows, "run-time", "baked") ? bake::Shadows::Baked : bake::Shadows::RunTime;
+  settings.buildings =
+      is_second("buildings", buildings, "baked", "apart") ? bake::Buildings::Apart : bake::Buildings::Baked;
   settings.noise = is_second("noise", noise, "own", "shared") ? bake::Noise::Shared : bake::Noise::Own;
   settings.mantissa_bits = mantissa_bits;
   settings.digits = is_second("digits", digits, "to-noise", "all") ? atlas::Digits::All : atlas::Digits::ToNoise;
@@ -124,8 +126,9 @@ void add_bake(py::module_& module) {
       py::arg("patch_texels") = settings.patches.texels_per_side, py::arg("samples") = py::none(),
       py::arg("target_db") = py::none(), py::arg("most_samples") = py::none(),
       py::arg("bounces") = settings.max_bounces, py::arg("seed") = settings.seed, py::arg("shadows") = "run-time",
-      py::arg("noise") = "own", py::arg("mantissa_bits") = settings.mantissa_bits, py::arg("digits") = "to-noise",
-      py::arg("shard") = "0/1", py::arg("threads") = 0, py::arg("progress") = py::none(),
+      py::arg("buildings") = "baked", py::arg("noise") = "own", py::arg("mantissa_bits") = settings.mantissa_bits,
+      py::arg("digits") = "to-noise", py::arg("shard") = "0/1", py::arg("threads") = 0,
+      py::arg("progress") = py::none(),
       "Path-traces a scene into the atlas at `folder`. A bake that was broken off (Ctrl-C does so within a second) "
       "goes\n"
       "on where it stopped.\n\n"
@@ -133,6 +136,8 @@ void add_bake(py::module_& module) {
       "samples: rays a texel everywhere; None: as many as bring its standard error to target_db (0.4 when None),\n"
       "most_samples (128 when None) at most.\n"
       "bounces: surfaces a path may meet. shadows: of objects on the ground, made at 'run-time' or 'baked'.\n"
+      "buildings: what they return directly, 'baked' as all else, or made at run time from walls and roofs, 'apart'; "
+      "not for live\nframes yet.\n"
       "noise: of what came over several surfaces, 'own', or 'shared' where texels share what their rays leave in "
       "doubt.\n"
       "digits: of texels, those that their standard errors do not drown, 'to-noise', or 'all', mantissa_bits at most.\n"

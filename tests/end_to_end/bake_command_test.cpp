@@ -163,6 +163,24 @@ TEST_F(BakeCommand, ALogIsAddedToNoFileButALog) {
   EXPECT_EQ(difference_of(files_of(folder_.path("scene")), scene_before), "");
 }
 
+TEST_F(BakeCommand, BuildingsThatAreKeptApartAreToldVerifiedAndMended) {
+  const std::string options = std::string(one_coarse_look) + " --samples 2 --bounces 2 --buildings apart";
+  ASSERT_EQ(baked("apart", options).at("looks"), 4);
+  EXPECT_EQ(info_of("apart").at("settings").at("buildings"), "apart");
+  EXPECT_EQ(info_of("apart").at("buildings").at("faults").size(), 0U);
+  const std::string verify = line("atlas verify", folder_.path("apart").string());
+  EXPECT_EQ(run(verify).code, 0);
+  const std::filesystem::path file = folder_.path("apart") / "buildings.glb";
+  std::filesystem::resize_file(file, std::filesystem::file_size(file) - 1);
+  EXPECT_THAT(run(verify).printed, HasSubstr("buildings.glb is truncated"));
+  EXPECT_EQ(info_of("apart").at("buildings").at("faults").size(), 1U);
+  EXPECT_THAT(run(bake_line("apart", options)).printed, HasSubstr("buildings.glb"));
+  EXPECT_EQ(run(verify).code, 0);
+  const Ended refused = run(bake_line("level", options + " --footing level"));
+  EXPECT_EQ(refused.code, 1);
+  EXPECT_THAT(refused.printed, HasSubstr("let objects stand on their own terrain"));
+}
+
 TEST_F(BakeCommand, TheGroundOfAnAtlasLacksNoTerrainOfItsOwn) {
   ASSERT_EQ(baked("a", std::string(one_coarse_look) + " --samples 2 --bounces 1").at("looks"), 4);
   EXPECT_EQ(info_of("a/ground").at("terrain").at("faults").size(), 0U);

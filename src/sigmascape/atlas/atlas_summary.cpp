@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <system_error>
 
+#include "sigmascape/atlas/building_file.h"
 #include "sigmascape/atlas/ground_layers.h"
 #include "sigmascape/atlas/obstacle_file.h"
 #include "sigmascape/atlas/pyramid.h"
@@ -98,6 +99,7 @@ AtlasSummary summary_of(const Store& store) {
   summary.pyramid_levels = Pyramid(store).levels();
   summary.pyramid = textures_above(store);
   if (!is_ground_of_an_atlas(store.description())) summary.terrain_fault = terrain_fault(store, Scrutiny::Size);
+  if (keeps_buildings_apart(store.description())) summary.buildings_fault = buildings_fault(store, Scrutiny::Size);
   if (!keeps_ground_apart(store)) return summary;
   summary.obstacles = obstacles_of(store);
   summary.ground_fault = ground_collection_fault(store);

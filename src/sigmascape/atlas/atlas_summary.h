@@ -26,8 +26,10 @@ struct AtlasSummary {
   Files ground;
   std::optional<StoreFault> ground_fault = {};   ///< of that collection, where the ground is kept apart
   std::optional<StoreFault> terrain_fault = {};  ///< of `terrain.tif`; its content is not looked at, nor are tiles
-  std::uint64_t bytes = 0;                       ///< of everything in the folder
-  double bytes_per_look = 0.0;                   ///< mean size of the textures of patches
+  /// Of `buildings.glb`, where buildings are kept apart; its content is not looked at.
+  std::optional<StoreFault> buildings_fault = {};
+  std::uint64_t bytes = 0;      ///< of everything in the folder
+  double bytes_per_look = 0.0;  ///< mean size of the textures of patches
   /// Of the finest texels of all looks done whose items tell: those of ground do not, nor do those of a former kind.
   PowerErrors errors;
   std::size_t looks_told = 0;  ///< of those done, the ones whose items tell

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <system_error>
 
+#include "sigmascape/atlas/building_file.h"
 #include "sigmascape/atlas/ground_layers.h"
 #include "sigmascape/atlas/stac_catalog.h"
 #include "sigmascape/atlas/stac_description.h"
@@ -16,7 +17,8 @@
 namespace sigmascape::atlas {
 namespace {
 
-/// Whether the item beside the terrain is one of an atlas, of whatever format. What it vouches for may be damaged.
+/// Whether the item beside the terrain or the buildings is one of an atlas, of whatever format. What it vouches for may
+/// be damaged.
 bool is_item(const std::filesystem::path& file) {
   const auto text = text_of(file).text;
   if (!text) return false;
@@ -51,9 +53,11 @@ bool is_ground(const std::filesystem::path& folder) {
 
 std::optional<std::string> file_of_others(const std::filesystem::path& folder) {
   const auto is_there = [&](const std::filesystem::path& name) { return !geo::is_absent(folder / name); };
-  const std::filesystem::path terrain_item = item_path(std::filesystem::path(terrain_name));
-  for (const std::filesystem::path& name : {std::filesystem::path(terrain_name), terrain_item}) {
-    if (is_there(name) && !is_item(folder / terrain_item)) return name.string();
+  for (const std::filesystem::path file : {terrain_name, buildings_name}) {
+    const std::filesystem::path item = item_path(file);
+    for (const std::filesystem::path& name : {file, item}) {
+      if (is_there(name) && !is_item(folder / item)) return name.string();
+    }
   }
   // A pyramid of tiles begins with one heading and ends with the other: terrain/pyramid_files.h.
   const std::filesystem::path pyramid = terrain_pyramid_name;

@@ -4,6 +4,7 @@
 #include <system_error>
 #include <utility>
 
+#include "sigmascape/atlas/building_file.h"
 #include "sigmascape/atlas/obstacle_file.h"
 #include "sigmascape/atlas/stac_catalog.h"
 #include "sigmascape/atlas/texture_file.h"
@@ -114,7 +115,8 @@ GroundLayers load_ground_layers(const Store& atlas, const LoadOptions& options) 
                               .threads = options.threads,
                               .aspects = {},
                               .reading = options.reading}),
-          std::move(obstacles), std::move(tops)};
+          std::move(obstacles), std::move(tops),
+          keeps_buildings_apart(atlas.description()) ? std::optional(read_buildings(atlas)) : std::nullopt};
 }
 
 }  // namespace sigmascape::atlas

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "sigmascape/atlas/atlas.h"
+#include "sigmascape/atlas/buildings.h"
 #include "sigmascape/atlas/store.h"
 #include "sigmascape/radar/answering_tops.h"
 #include "sigmascape/radar/obstacle.h"
@@ -17,6 +18,8 @@ struct GroundLayers {
   Atlas sigma0;  ///< of the level ground if nothing stood on it: one azimuth stands for all
   radar::ObstacleMap obstacles;
   radar::AnsweringTops answering_tops;  ///< of those obstacles
+  /// Where they are kept apart too, and their direct echoes not in the textures; they are obstacles all the same.
+  std::optional<Buildings> buildings = {};
 };
 
 /// The setting of a store whose ground is kept apart, and what it says then.

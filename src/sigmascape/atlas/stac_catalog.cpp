@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "sigmascape/atlas/building_file.h"
 #include "sigmascape/atlas/ground_layers.h"
 #include "sigmascape/atlas/obstacle_file.h"
 #include "sigmascape/atlas/stac_description.h"
@@ -58,6 +59,8 @@ Json links_of_collection(const AtlasDescription& description) {
   if (keeps_ground_apart(description))
     links.push_back(link("child", fmt::format("./{}/{}", ground_folder, collection_name)));
   links.push_back(link("item", "./" + item_path(terrain_name).generic_string()));
+  if (keeps_buildings_apart(description))
+    links.push_back(link("item", "./" + item_path(buildings_name).generic_string()));
   return links;
 }
 

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "sigmascape/atlas/building_file.h"
 #include "sigmascape/atlas/error_texture.h"
 #include "sigmascape/atlas/stac_catalog.h"
 #include "sigmascape/atlas/stac_document.h"
@@ -432,6 +433,16 @@ std::string terrain_item_text(const AtlasDescription& description, const radar::
   return item_of("terrain", description, beside_collection(description, cells), place_extensions(), properties,
                  {{"terrain", file_asset(terrain_name, "Heights of the ground in metres, orthometric", cloud_optimised,
                                          "data", record)}});
+}
+
+std::string buildings_item_text(const AtlasDescription& description, const TextureRecord& record) {
+  const radar::GroundGrid whole = whole_grid(description);
+  Json properties = timeless();
+  properties.update(place_properties(description, whole));
+  properties.update(file_properties(description, record));
+  return item_of("buildings", description, beside_collection(description, whole), place_extensions(), properties,
+                 {{"buildings", file_asset(buildings_name, "Walls and roofs, and what they return by angle",
+                                           "model/gltf-binary", "data", record)}});
 }
 
 FoundItem item_from(const std::string& text, const AtlasDescription& description, const std::filesystem::path& file) {

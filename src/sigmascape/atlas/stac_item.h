@@ -53,6 +53,9 @@ struct TextureRecord {
 [[nodiscard]] std::string terrain_item_text(const AtlasDescription& description, const radar::GroundGrid& cells,
                                             const TextureRecord& record);
 
+/// The item of the buildings of the whole scene, where they are kept apart (atlas/building_file.h).
+[[nodiscard]] std::string buildings_item_text(const AtlasDescription& description, const TextureRecord& record);
+
 /// What an item that was read records of its file, or what is wrong with it, "was altered: …".
 struct FoundItem {
   std::optional<TextureRecord> record;  ///< nothing when something is wrong

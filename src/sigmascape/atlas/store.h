@@ -22,8 +22,9 @@
 
 namespace sigmascape::atlas {
 
-/// Of what kind the files of an atlas are that is begun now; docs/store.md tells what the others lack.
-inline constexpr int newest_format_version = 2;
+/// Of what kind the files of an atlas are that is begun now; docs/store.md tells what the others lack. The newest are
+/// those whose textures say the less that programs know which stop at the usual ones: buildings are kept apart.
+inline constexpr int usual_format_version = 2, newest_format_version = 3;
 
 /// Which of the mantissa bits that may be kept of a texel are kept.
 enum class Digits {
@@ -57,7 +58,7 @@ struct AtlasDescription {
   Digits digits = Digits::All;
   std::string attribution;  ///< of the data that the scene was made from
   /// An atlas keeps that with which it was begun.
-  int format_version = newest_format_version;
+  int format_version = usual_format_version;
 
   /// By which revision of the physics the texels were made, as the settings tell: "1" where they do not.
   [[nodiscard]] std::string physics_revision() const;

@@ -5,6 +5,7 @@
 #include <iterator>
 #include <utility>
 
+#include "sigmascape/atlas/building_file.h"
 #include "sigmascape/atlas/catalogs.h"
 #include "sigmascape/atlas/ground_layers.h"
 #include "sigmascape/atlas/obstacle_file.h"
@@ -36,6 +37,9 @@ std::vector<StoreFault> verify(const Store& atlas, Scrutiny scrutiny, ProgressLi
   std::vector<StoreFault> faults = faults_of_textures(atlas, scrutiny, progress);
   if (!is_ground_of_an_atlas(atlas.description())) {
     if (auto fault = terrain_fault(atlas, scrutiny)) faults.push_back(std::move(*fault));
+  }
+  if (keeps_buildings_apart(atlas.description())) {
+    if (auto fault = buildings_fault(atlas, scrutiny)) faults.push_back(std::move(*fault));
   }
   if (!keeps_ground_apart(atlas)) return faults;
   std::ranges::move(faults_of_ground(atlas, scrutiny, progress), std::back_inserter(faults));

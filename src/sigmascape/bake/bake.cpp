@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "sigmascape/atlas/building_file.h"
 #include "sigmascape/atlas/catalogs.h"
 #include "sigmascape/atlas/ground_layers.h"
 #include "sigmascape/atlas/power_error.h"
@@ -16,6 +17,7 @@
 #include "sigmascape/atlas/terrain_file.h"
 #include "sigmascape/atlas/texture_file.h"
 #include "sigmascape/atlas/texture_name.h"
+#include "sigmascape/bake/buildings_of.h"
 #include "sigmascape/bake/claims.h"
 #include "sigmascape/bake/ground_baker.h"
 #include "sigmascape/bake/job.h"
@@ -45,6 +47,7 @@ std::map<std::string, std::string> settings_in_words(const BakeSettings& setting
   // An atlas that tells none is of the first.
   if (physics_revision > 1) words[atlas::physics_revision_setting] = std::to_string(physics_revision);
   if (settings.noise == Noise::Shared) words["noise"] = "shared";
+  if (settings.buildings == Buildings::Apart) words[atlas::buildings_setting] = atlas::buildings_apart;
   if (sampling.is_adaptive()) {
     words["samples_per_texel"] = fmt::format("{} to {}", pilot_samples, sampling.most_samples);
     words["target_db"] = fmt::format("{}", sampling.target_db);
@@ -77,6 +80,7 @@ class BakeRun {
     const std::vector<OpenJob> open = open_jobs();
     tell_progress();
     make_terrain(scene);
+    if (settings_.buildings == Buildings::Apart) make_buildings(scene);
     if (settings_.shadows == Shadows::RunTime) {
       for (atlas::StoreFault& fault : bake_ground(scene, store_, share_.shard, share_.scrutiny, &progress_))
         note(std::move(fault));
@@ -214,6 +218,17 @@ class BakeRun {
     note(std::move(*fault));
   }
 
+  void make_buildings(const scene::Scene& scene) {
+    if (!atlas::buildings_fault(store_, share_.scrutiny)) return;
+    const Claims::Claim claim = claims_.take(terrain_claim(store_.description()), [this] {
+      progress_.waiting("bake", "another process that makes the buildings");
+    });
+    auto fault = atlas::buildings_fault(store_, share_.scrutiny);
+    if (!fault) return;
+    atlas::write_buildings(store_, buildings_of(scene, store_.description().aspects.frequencies_hz));
+    note(std::move(*fault));
+  }
+
   void make_pyramid(const scene::Scene& scene) {
     std::vector<atlas::StoreFault> faults = pyramid_faults(scene);
     if (faults.empty()) return;
@@ -316,7 +331,9 @@ atlas::AtlasDescription description_of(const scene::Scene& scene, const BakeSett
           .settings = settings_in_words(settings),
           .mantissa_bits = settings.mantissa_bits,
           .digits = settings.digits,
-          .attribution = scene.attribution};
+          .attribution = scene.attribution,
+          .format_version =
+              settings.buildings == Buildings::Apart ? atlas::newest_format_version : atlas::usual_format_version};
 }
 
 BakeReport bake(const scene::Scene& scene, const BakeSettings& settings, const std::filesystem::path& folder,

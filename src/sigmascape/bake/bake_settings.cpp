@@ -57,6 +57,12 @@ void check(const BakeSettings& settings) {
                 fmt::format("use texels of {:g} m or less",
                             longest_patch_m / static_cast<double>(settings.patches.texels_per_side)));
   }
+  if (settings.buildings == Buildings::Apart &&
+      (settings.shadows == Shadows::Baked || settings.footing == trace::Footing::LevelPlane)) {
+    throw Error(where,
+                "buildings are to be kept apart from textures whose shadows are baked, or that stand on level ground",
+                "leave shadows to run time and let objects stand on their own terrain, or bake the buildings");
+  }
   const auto& elevations = settings.aspects.elevations_rad;
   if (const auto twice = std::ranges::adjacent_find(elevations); twice != elevations.end()) {
     throw Error(where, fmt::format("an elevation of {:.2f}° is given twice", deg_from_radians(*twice)),

@@ -16,6 +16,13 @@ enum class Shadows {
   Baked,    ///< in the textures, with the length they have on level ground: the paper's way
 };
 
+/// Where what buildings return directly comes from.
+enum class Buildings {
+  Baked,  ///< from the textures, as all else that stands on the ground
+  Apart,  ///< from the buildings themselves when a map is rendered, seen from where the radar is:
+          ///< docs/decisions/0171-buildings-apart.md
+};
+
 /// What becomes of the noise that few rays leave in what comes over several surfaces.
 enum class Noise {
   Own,     ///< every texel keeps what its own rays brought
@@ -47,6 +54,8 @@ struct BakeSettings {
   Shadows shadows = Shadows::RunTime;
   /// What objects stand on while they are baked. With Shadows::Baked it is the level plane always.
   trace::Footing footing = trace::Footing::Terrain;
+  /// Apart wants shadows made at run time and objects on their own terrain.
+  Buildings buildings = Buildings::Baked;
   Noise noise = Noise::Own;
   int mantissa_bits = 10;  ///< of the stored half floats, see atlas::AtlasDescription
   atlas::Digits digits = atlas::Digits::ToNoise;

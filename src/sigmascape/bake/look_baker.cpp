@@ -188,7 +188,7 @@ std::vector<BakedLook> LookBaker::bake(const radar::GroundGrid& texels, const tr
   const EchoLanding landing = has_relief
                                   ? EchoLanding(aspect, scene_.terrain, lowest_ground_m_, highest_ground_->highest_m())
                                   : EchoLanding(aspect);
-  std::vector<TileSampler> samplers(workers, TileSampler(settings_.sampling, settings_.shadows, landing, sums));
+  std::vector<TileSampler> samplers(workers, TileSampler(settings_, landing, sums));
   trace::TileProgress tiles(progress, "bake", "look", 0.0, 1.0, 1.0, area.tiles());
   const auto counts = tracer.trace_tiles(area, workers, [&](trace::TilePaths& tile, unsigned worker) {
     samplers[worker].sample(tile, texels.cell_area_m2());

@@ -24,14 +24,14 @@ std::uint32_t spared(std::uint32_t samples, const trace::LaunchCell& cell, std::
 
 }  // namespace
 
-TileSampler::TileSampler(const Sampling& sampling, Shadows shadows, const EchoLanding& landing,
-                         std::vector<PatchSums>& patch)
-    : sampling_(sampling),
-      ground_apart_(shadows == Shadows::RunTime),
+TileSampler::TileSampler(const BakeSettings& settings, const EchoLanding& landing, std::vector<PatchSums>& patch)
+    : sampling_(settings.sampling),
+      ground_apart_(settings.shadows == Shadows::RunTime),
+      buildings_apart_(settings.buildings == Buildings::Apart),
       landing_(landing),
       patch_(patch),
-      target_(sampling.relative_target()),
-      floor_(linear_from_db(sampling.floor_db)),
+      target_(sampling_.relative_target()),
+      floor_(linear_from_db(sampling_.floor_db)),
       pilots_(patch.size()),
       pilot_echoes_(patch.size()),
       pilot_ends_(patch.size()),
@@ -56,7 +56,7 @@ double TileSampler::keep_landed(const trace::TilePaths& tile, std::size_t freque
                                 std::vector<Landed>& landed) const {
   double power = 0.0;
   for (const radar::Echo& echo : tile.echoes(frequency, start - followed_.first)) {
-    if (ground_apart_ && echo.from_ground) continue;
+    if (is_apart(echo)) continue;
     power += static_cast<double>(echo.rcs_m2.power(radar::Polarization::Sum));
     if (const auto texel = patch_[frequency].all.cell_at(landing_.place_of(echo)))
       landed.push_back({*texel, starts_[start].sample, echo.bounces > 1, echo.rcs_m2});

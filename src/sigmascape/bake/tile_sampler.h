@@ -18,8 +18,9 @@ namespace sigmascape::bake {
 /// scratch space.
 class TileSampler {
  public:
-  /// `patch` has the sums of one frequency after the other; all are held by reference.
-  TileSampler(const Sampling& sampling, Shadows shadows, const EchoLanding& landing, std::vector<PatchSums>& patch);
+  /// `patch` has the sums of one frequency after the other; it and `landing` are held by reference, as is the sampling
+  /// of the settings.
+  TileSampler(const BakeSettings& settings, const EchoLanding& landing, std::vector<PatchSums>& patch);
 
   void sample(trace::TilePaths& tile, double cell_area_m2);
 
@@ -48,12 +49,16 @@ class TileSampler {
   void trace_cell(trace::TilePaths& tile, std::size_t cell, Range starts, bool has_pilots);
   /// Some of those asked for, from where the last ended: of many a part, or what they bring would take much memory.
   void follow_next(trace::TilePaths& tile);
+  /// Whether maps make it themselves, so that it is not for the textures.
+  [[nodiscard]] bool is_apart(const radar::Echo& echo) const {
+    return (ground_apart_ && echo.from_ground) || (buildings_apart_ && echo.from_building);
+  }
   /// Keeps what a start that was followed last brought that lands in the patch, and returns the power of all of it.
   double keep_landed(const trace::TilePaths& tile, std::size_t frequency, std::size_t start,
                      std::vector<Landed>& landed) const;
 
   const Sampling& sampling_;
-  bool ground_apart_;
+  bool ground_apart_, buildings_apart_;
   const EchoLanding& landing_;
   std::vector<PatchSums>& patch_;
   double target_;                                     // relative standard error

@@ -24,6 +24,8 @@ struct Echo {
   float sin_depression = 0.0F;
   /// Whether this is the ground's direct echo: no surface but the bare ground had a part in it.
   bool from_ground = false;
+  /// Whether it is a building's direct echo: no surface but one of scene::Scene::buildings had a part in it.
+  bool from_building = false;
 };
 
 }  // namespace sigmascape::radar

@@ -68,7 +68,7 @@ class AzimuthStrip {
                      const Vec3d point{middle.x + aside_m * right.x, middle.y + aside_m * right.y, middle.z};
                      if (!area_.contains({point.x, point.y})) continue;
                      ++within;
-                     if (sight.ground == 0.0 && ground_.part_seen(point, sight) == 0.0) continue;
+                     if (!ground_.answers(point, sight)) continue;
                      if (shadows_.hide(point)) continue;
                      ++seen;
                      sigma0 += ground_.sigma0(point, to_radar_rad, sight, looks);
@@ -129,7 +129,12 @@ radar::RangeAzimuthImage GroundRenderer::render(const radar::Radar& radar, const
   atlas_->prepare(area, level);
 
   receiver::RangeAzimuthReceiver receiver(radar, grid);
-  const ReflectingGround ground(*atlas_, *terrain_, radar.position, frequency_hz, level, settings.slope);
+  const auto buildings = building_layer(
+      *atlas_, *terrain_,
+      {radar::Vantage(radar.position), frequency_hz, area, level, radar::CurvedEarth::flat(), settings.threads});
+  const ReflectingGround ground =
+      ReflectingGround(*atlas_, *terrain_, radar.position, frequency_hz, level, settings.slope)
+          .with_buildings(buildings.get());
   const radar::TargetShadows shadows(settings.targets, 0.0, radar.position);
   const AzimuthStrip strip(ground, shadows, radar.position, area);
   const radar::AzimuthSpan azimuths = azimuths_to_sweep(area, foot);

@@ -54,12 +54,17 @@ SeenSigma0 seen(const AtlasReflectivity& textures, const terrain::HeightField& t
   const Vec2d middle = request.area.centre();
   // Scatterers lie anywhere within their cells.
   textures.atlas->prepare(radar::widened(request.area, side_m), textures.level);
-  const ReflectingGround ground(*textures.atlas, terrain, request.vantage.place_for(middle), textures.frequency_hz,
-                                textures.level, SlopeModel::Upright, request.earth);
+  const auto buildings = building_layer(*textures.atlas, terrain,
+                                        {request.vantage, textures.frequency_hz, radar::widened(request.area, side_m),
+                                         textures.level, request.earth, request.threads});
+  const ReflectingGround ground =
+      ReflectingGround(*textures.atlas, terrain, request.vantage.place_for(middle), textures.frequency_hz,
+                       textures.level, SlopeModel::Upright, request.earth)
+          .with_buildings(buildings.get());
   // What hides is known no finer than its cells: two steps a cell find its edges.
   const double step_m = std::max(side_m, ground.told_cell_m() / 2.0);
   const auto seen_by = [&](auto sights) -> SeenSigma0 {
-    return [&request, ground, sights = std::move(sights)](Vec3d point, ReflectingGround::Looks& looks) {
+    return [&request, ground, buildings, sights = std::move(sights)](Vec3d point, ReflectingGround::Looks& looks) {
       const Vec3d radar = request.vantage.place_for({point.x, point.y});
       return ground.seen_from(radar).sigma0(point, wrapped_azimuth(azimuth_to(radar, point)),
                                             sights->at({point.x, point.y}), looks);

@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "sigmascape/atlas/building_file.h"
 #include "sigmascape/atlas/ground_layers.h"
 #include "sigmascape/atlas/terrain_file.h"
 #include "sigmascape/base/error.h"
@@ -19,7 +20,15 @@ namespace {
 /// may take.
 constexpr std::size_t tile_part = 32, window_part = 8, obstacle_part = 8, stand_in_part = 8;
 
+/// Of an atlas whose buildings are kept apart frames would lack what these return directly.
+void check_buildings(const atlas::Store& store) {
+  if (!atlas::keeps_buildings_apart(store.description())) return;
+  throw Error(store.folder().string(), "keeps its buildings apart, which maps know but live frames do not",
+              "bake an atlas without --buildings apart for live frames");
+}
+
 std::unique_ptr<LiveObstacles> obstacles_of(const atlas::Store& store, const CacheOptions& options) {
+  check_buildings(store);
   if (!atlas::keeps_ground_apart(store)) return nullptr;
   return std::make_unique<LiveObstacles>(store, options.budget_bytes / obstacle_part, options.scrutiny);
 }

@@ -37,6 +37,7 @@ radar::Channels ReflectingGround::sigma0(Vec3d point, double to_radar_rad, const
   radar::Channels sum;
   if (const double part = part_seen(point, sight); part > 0.0)
     sum = of_textures(place, towards, to_radar_rad, looks.textures_) * static_cast<float>(part);
+  if (buildings_ != nullptr) sum += buildings_->sigma0_at(place);
   if (ground_ != nullptr && sight.ground > 0.0)
     sum += of_bare_ground(place, towards, looks.ground_) * static_cast<float>(sight.ground);
   return sum;

@@ -8,6 +8,7 @@
 #include "sigmascape/atlas/ground_layers.h"
 #include "sigmascape/radar/curved_earth.h"
 #include "sigmascape/radar/look.h"
+#include "sigmascape/render/building_layer.h"
 #include "sigmascape/terrain/ground_profile.h"
 #include "sigmascape/terrain/height_field.h"
 #include "sigmascape/terrain/obstacle_sweep.h"
@@ -50,6 +51,14 @@ class ReflectingGround {
         slope_(slope),
         earth_(earth) {}
 
+  /// The same ground with what its buildings return directly, laid over it for this radar: where the atlas keeps them
+  /// apart. The layer must outlive it.
+  [[nodiscard]] ReflectingGround with_buildings(const BuildingLayer* layer) const {
+    ReflectingGround other = *this;
+    other.buildings_ = layer;
+    return other;
+  }
+
   /// The same ground as a radar at another place meets it.
   [[nodiscard]] ReflectingGround seen_from(Vec3d radar_position) const {
     ReflectingGround other = *this;
@@ -87,9 +96,15 @@ class ReflectingGround {
   /// Of what answers from there but the bare ground, the part that is seen, from 0 to 1.
   [[nodiscard]] double part_seen(Vec3d point, const terrain::Sight& sight) const;
 
+  /// Whether anything is seen of a point of which so much is seen.
+  [[nodiscard]] bool answers(Vec3d point, const terrain::Sight& sight) const {
+    return sight.ground > 0.0 || part_seen(point, sight) > 0.0 ||
+           (buildings_ != nullptr && buildings_->sigma0_at({point.x, point.y}) != radar::Channels{});
+  }
+
   /// σ0 over map area of a point on the terrain of which so much is seen: textures for what stands there, scaled by
-  /// what of them is seen, and the bare ground where it is kept apart, with its grazing angle above the local slope and
-  /// its true area. `to_radar_rad`: azimuth from the point to the radar.
+  /// what of them is seen, buildings that are kept apart, and the bare ground where it is kept apart, with its grazing
+  /// angle above the local slope and its true area. `to_radar_rad`: azimuth from the point to the radar.
   [[nodiscard]] radar::Channels sigma0(Vec3d point, double to_radar_rad, const terrain::Sight& sight,
                                        Looks& looks) const;
 
@@ -118,6 +133,7 @@ class ReflectingGround {
   double frequency_hz_, level_;
   SlopeModel slope_;
   radar::CurvedEarth earth_;
+  const BuildingLayer* buildings_ = nullptr;
 };
 
 }  // namespace sigmascape::render

@@ -54,6 +54,7 @@ BuildingBlocks building_blocks(const scene::Buildings& buildings, const std::vec
     for (const std::uint32_t quad : quads) {
       used.insert(used.end(), all.corners[quad].begin(), all.corners[quad].end());
       result.traits.push_back(all.traits[quad]);
+      result.traits.back().is_building = true;
     }
     std::ranges::sort(used);
     used.erase(std::unique(used.begin(), used.end()), used.end());

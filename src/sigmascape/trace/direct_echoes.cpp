@@ -64,7 +64,8 @@ bool TileTracer::add_direct_echo(std::size_t leg, std::size_t frequency, const C
           .rcs_m2 = rcs_m2,
           .bounces = 1,
           .sin_depression = static_cast<float>(viewpoint_.sin_depression_of(position, position)),
-          .from_ground = hits_[leg].is_ground});
+          .from_ground = hits_[leg].is_ground,
+          .from_building = hits_[leg].is_building});
   return true;
 }
 

@@ -12,6 +12,7 @@ namespace sigmascape::trace {
 struct FaceTraits {
   float inverse_area_per_m2 = 0.0F;  ///< of the whole flat face, as scene::facet_areas_m2 finds it; 0 of one without
   scene::MaterialIndex material = 0;
+  bool is_building = false;  ///< whether it belongs to one of Scene::buildings
 };
 
 /// A mesh in pieces of four corners.

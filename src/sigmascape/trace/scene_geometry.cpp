@@ -156,6 +156,7 @@ bool SceneStructures::meet(const Ray& ray, const Found& found, SurfaceHit& hit) 
   } else {
     const FaceTraits& face = part.faces[found.primitive];
     hit.material = face.material;
+    hit.is_building = face.is_building;
     const FacePlane plane = part.placement.in_world({normal, face.inverse_area_per_m2});
     normal = plane.normal;
     hit.inverse_facet_area_per_m2 = plane.inverse_area_per_m2;
@@ -197,7 +198,8 @@ void SceneStructures::meet(const RayPacket& packet, std::size_t lanes, const Num
     hits[i] = {.position = met.position[lane],
                .normal = met.normal[lane],
                .inverse_facet_area_per_m2 = met.inverse_area_per_m2[lane],
-               .material = faces[lane]->material};
+               .material = faces[lane]->material,
+               .is_building = faces[lane]->is_building};
     meets[i] = met.norm[lane] != 0.0F ? 1 : 0;
   }
 }

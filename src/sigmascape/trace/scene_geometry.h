@@ -24,7 +24,8 @@ struct SurfaceHit {
   float extinction_per_m = 0.0F;
 
   [[nodiscard]] bool is_in_crown() const { return extinction_per_m > 0.0F; }
-  bool is_ground = false;  ///< whether the terrain or the level plane was hit
+  bool is_ground = false;    ///< whether the terrain or the level plane was hit
+  bool is_building = false;  ///< whether one of Scene::buildings was
 };
 
 struct SceneHeights;

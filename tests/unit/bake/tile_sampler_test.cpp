@@ -55,7 +55,8 @@ Sampled sampled(MadeTile& tile, const Sampling& sampling) {
   std::vector<PatchSums> patch;
   patch.push_back({receiver::GroundAccumulator(texels), {}});
   const EchoLanding landing({0.0, radians_from_deg(45.0)});
-  TileSampler(sampling, Shadows::Baked, landing, patch).sample(tile, 1.0);
+  const BakeSettings settings{.sampling = sampling, .shadows = Shadows::Baked};
+  TileSampler(settings, landing, patch).sample(tile, 1.0);
   return {static_cast<double>(patch.front().all.sigma0()(0, 0).vv), patch.front().all.sigma0_variances()(0, 0)};
 }
 

@@ -1,0 +1,253 @@
+// Buildings that are kept apart from textures: what a map shows of them is held against what follows from their walls
+// and roofs, 4π f cos² θ over what of them is seen, and against the path-traced map of the same scene.
+#include <cmath>
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <optional>
+
+#include "physics/level_scene.h"
+#include "scratch_folder.h"
+#include "validation/validation_record.h"
+
+#include "sigmascape/atlas/atlas.h"
+#include "sigmascape/atlas/ground_layers.h"
+#include "sigmascape/bake/bake.h"
+#include "sigmascape/base/error.h"
+#include "sigmascape/product/ground_projection.h"
+#include "sigmascape/product/map_metrics.h"
+#include "sigmascape/render/live_ground.h"
+#include "sigmascape/scene/building_extrusion.h"
+#include "sigmascape/simulate/simulate.h"
+
+namespace sigmascape::physics_test {
+namespace {
+
+constexpr double albedo = 0.5, texel_m = 2.0;
+
+scatter::Material lambert(std::string name, double of_albedo) {
+  return {.name = std::move(name), .model = scatter::LambertParameters{of_albedo, {0.0, 1.0}}, .source = {}};
+}
+
+/// A box about a place, its long sides turned clockwise from east.
+struct Box {
+  Vec2d middle;
+  double length_m, width_m, height_m, turn_rad = 0.0;
+
+  [[nodiscard]] geo::Polygon outline() const {
+    const Vec2d along{std::cos(turn_rad), -std::sin(turn_rad)}, across{std::sin(turn_rad), std::cos(turn_rad)};
+    geo::Polygon polygon;
+    for (const auto& [a, b] : {std::pair{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}})
+      polygon.outer.push_back(middle + along * (a * length_m) + across * (b * width_m));
+    return polygon;
+  }
+};
+
+/// On level ground.
+void put(scene::Scene& scene, const Box& box, const scatter::Material& wall, const scatter::Material& roof) {
+  const scene::MaterialIndex of_wall = scene.material_index(wall), of_roof = scene.material_index(roof);
+  scene::append_building(scene.buildings, box.outline(), box.height_m, 0.0, of_wall, of_roof);
+}
+
+bake::BakeSettings settings_of(bake::Buildings buildings, int bounces) {
+  bake::BakeSettings settings;
+  settings.aspects = {{0.0, pi}, {radians_from_deg(15.0)}, {frequency_hz}};
+  settings.patches = {texel_m, 256};
+  settings.sampling.samples_per_texel = 4;
+  settings.max_bounces = bounces;
+  settings.buildings = buildings;
+  return settings;
+}
+
+atlas::Atlas baked(const scene::Scene& scene, const bake::BakeSettings& settings) {
+  const ScratchFolder folder;
+  SilentProgress silent;
+  bake::bake(scene, settings, folder.path("atlas"), silent);
+  return atlas::load_atlas(atlas::Store::open(folder.path("atlas")));
+}
+
+radar::Radar radar_at(double azimuth_deg, double elevation_deg) {
+  radar::Radar radar;
+  radar.position = radar::position_seeing({}, radians_from_deg(azimuth_deg), radians_from_deg(elevation_deg), 40e3);
+  radar.range_resolution_m = texel_m;
+  radar.beam_width_rad = texel_m * std::sqrt(2.0) / 40e3;
+  return radar;
+}
+
+constexpr radar::GroundGrid map_cells{-64.0, 64.0, texel_m, 64, 64};
+
+radar::GroundMap rendered(const scene::Scene& scene, const atlas::Atlas& atlas, const radar::Radar& radar) {
+  render::RenderCounts counts;
+  return product::ground_map(simulate::baked_image(atlas, scene.terrain, radar, map_cells.extent(), {}, counts),
+                             scene.terrain, map_cells);
+}
+
+radar::GroundMap traced(const scene::Scene& scene, const radar::Radar& radar, int bounces) {
+  const trace::SceneGeometry geometry(scene, trace::Footing::Terrain);
+  trace::TraceCounts counts;
+  return product::ground_map(
+      simulate::traced_image(scene, geometry, radar, map_cells.extent(),
+                             {.cell_m = 1.0, .samples_per_cell = 64, .max_bounces = bounces}, counts),
+      scene.terrain, map_cells);
+}
+
+/// Of the cells whose middles lie within.
+double power_m2(const radar::GroundMap& map, const radar::Rectangle& within = map_cells.extent()) {
+  double sum = 0.0;
+  for (std::size_t row = 0; row < map.grid.rows; ++row) {
+    for (std::size_t column = 0; column < map.grid.columns; ++column) {
+      if (within.contains(map.grid.centre_of(column, row)))
+        sum += static_cast<double>(map.sigma0(column, row).vv) * texel_m * texel_m;
+    }
+  }
+  return sum;
+}
+
+/// Of one of Lambert's faces: 4π (ρ/π) cos² θ a square metre.
+double returned_m2(double area_m2, double cosine) {
+  return 4.0 * albedo * cosine * cosine * area_m2;
+}
+
+void expect_decibels(const std::string& name, double expected_m2, double measured_m2, double tolerance_db) {
+  validation::expect_close({.group = "Buildings apart",
+                            .name = name,
+                            .expected = db_from_linear(expected_m2),
+                            .measured = db_from_linear(measured_m2),
+                            .tolerance = tolerance_db,
+                            .unit = "dBm²",
+                            .source = "4π f cos² θ over what is seen"});
+}
+
+// At azimuths and elevations that were not baked, the farthest from any that was included.
+TEST(BuildingsApart, ReturnWhatTheirWallsAndRoofsDo) {
+  scene::Scene scene = level_scene(lambert("black", 0.0), 256.0);
+  const Box box{{3.0, -5.0}, 30.0, 18.0, 12.0, radians_from_deg(20.0)};
+  put(scene, box, lambert("house", albedo), lambert("house", albedo));
+  const atlas::Atlas atlas = baked(scene, settings_of(bake::Buildings::Apart, 1));
+  for (const auto& [azimuth_deg, elevation_deg] : {std::pair{180.0, 10.0}, {225.0, 20.0}, {317.0, 33.0}, {65.0, 6.0}}) {
+    const double elevation_rad = radians_from_deg(elevation_deg);
+    const double off_long_rad = radians_from_deg(azimuth_deg - 20.0);  // from the normal of a long side
+    const double along = std::abs(std::cos(off_long_rad)), across = std::abs(std::sin(off_long_rad));
+    const double expected = returned_m2(box.length_m * box.height_m, along * std::cos(elevation_rad)) +
+                            returned_m2(box.width_m * box.height_m, across * std::cos(elevation_rad)) +
+                            returned_m2(box.length_m * box.width_m, std::sin(elevation_rad));
+    const radar::GroundMap map = rendered(scene, atlas, radar_at(azimuth_deg, elevation_deg));
+    expect_decibels(fmt::format("a box from {:g}° at {:g}°", azimuth_deg, elevation_deg), expected, power_m2(map), 0.1);
+  }
+}
+
+// Textures hold nothing of a black ground with houses whose echoes are direct.
+TEST(BuildingsApart, AreNotInTheTextures) {
+  scene::Scene scene = level_scene(lambert("black", 0.0), 256.0);
+  put(scene, {{}, 30.0, 18.0, 12.0}, lambert("house", albedo), lambert("house", albedo));
+  const atlas::Atlas apart = baked(scene, settings_of(bake::Buildings::Apart, 1));
+  const atlas::Atlas with = baked(scene, settings_of(bake::Buildings::Baked, 1));
+  const radar::Aspect aspect{pi, radians_from_deg(10.0)};
+  float most = 0.0F, most_with = 0.0F;
+  for (double y = -40.0; y < 40.0; y += 1.0) {
+    most = std::max(most, apart.sigma0_at({0.0, y}, aspect, frequency_hz, 0.0).vv);
+    most_with = std::max(most_with, with.sigma0_at({0.0, y}, aspect, frequency_hz, 0.0).vv);
+  }
+  EXPECT_EQ(most, 0.0F);
+  EXPECT_GT(most_with, 0.1F);
+  ASSERT_NE(apart.ground_layers(), nullptr);
+  EXPECT_TRUE(apart.ground_layers()->buildings.has_value());
+  EXPECT_FALSE(with.ground_layers()->buildings.has_value());
+}
+
+// A wall of height h lies over by h tan ψ towards the radar, its roof with it.
+TEST(BuildingsApart, LieOverTowardsTheRadar) {
+  scene::Scene scene = level_scene(lambert("black", 0.0), 256.0);
+  const Box box{{0.0, 10.0}, 40.0, 20.0, 20.0};
+  put(scene, box, lambert("wall", albedo), lambert("black", 0.0));
+  const atlas::Atlas atlas = baked(scene, settings_of(bake::Buildings::Apart, 1));
+  for (const double elevation_deg : {15.0, 25.0, 35.0}) {
+    const radar::GroundMap map = rendered(scene, atlas, radar_at(180.0, elevation_deg));
+    double sum = 0.0, moment = 0.0;
+    for (std::size_t row = 0; row < map.grid.rows; ++row) {
+      const double y = map.grid.centre_of(0, row).y;
+      for (const radar::Channels& cell : map.sigma0.row(row)) {
+        sum += static_cast<double>(cell.vv);
+        moment += static_cast<double>(cell.vv) * y;
+      }
+    }
+    // The wall faces south and stands on y = 0; an even wall has its middle half way up.
+    validation::expect_close({.group = "Buildings apart",
+                              .name = fmt::format("middle of the layover of a 20 m wall at {:g}°", elevation_deg),
+                              .expected = -0.5 * box.height_m * std::tan(radians_from_deg(elevation_deg)),
+                              .measured = moment / sum,
+                              .tolerance = 0.25,
+                              .unit = "m",
+                              .source = "half h tan ψ before its foot"});
+  }
+}
+
+// Of the wall that stands 30 m behind another, what rises above the line of sight over that one's roof.
+TEST(BuildingsApart, HideOneAnother) {
+  const Box front{{0.0, -30.0}, 60.0, 10.0, 10.0}, behind{{0.0, 15.0}, 40.0, 20.0, 20.0};
+  for (const double elevation_deg : {6.0, 12.0, 17.0}) {
+    scene::Scene scene = level_scene(lambert("black", 0.0), 256.0);
+    put(scene, front, lambert("black", 0.0), lambert("black", 0.0));
+    put(scene, behind, lambert("wall", albedo), lambert("black", 0.0));
+    const atlas::Atlas atlas = baked(scene, settings_of(bake::Buildings::Apart, 1));
+    const double rise = std::tan(radians_from_deg(elevation_deg));
+    // From the far edge of the front roof, y = −25, to the wall on y = 5.
+    const double hidden_m = std::max(0.0, front.height_m - 30.0 * rise);
+    const double expected =
+        returned_m2(behind.length_m * (behind.height_m - hidden_m), std::cos(radians_from_deg(elevation_deg)));
+    expect_decibels(fmt::format("a wall behind another at {:g}°", elevation_deg), expected,
+                    power_m2(rendered(scene, atlas, radar_at(180.0, elevation_deg))), 0.35);
+  }
+}
+
+// Frames would show a town without its houses.
+TEST(BuildingsApart, AreRefusedByLiveFrames) {
+  scene::Scene scene = level_scene(lambert("black", 0.0), 256.0);
+  put(scene, {{}, 30.0, 18.0, 12.0}, lambert("house", albedo), lambert("house", albedo));
+  const ScratchFolder folder;
+  SilentProgress silent;
+  bake::bake(scene, settings_of(bake::Buildings::Apart, 1), folder.path("atlas"), silent);
+  const std::string told =
+      message_of_error([&] { static_cast<void>(render::LiveGround::open(folder.path("atlas"), frequency_hz)); });
+  EXPECT_NE(told.find("bake an atlas without --buildings apart for live frames"), std::string::npos) << told;
+}
+
+/// Nine houses and a tower on ground of constant gamma.
+scene::Scene village() {
+  scene::Scene scene =
+      level_scene({.name = "gamma", .model = scatter::ConstantGammaParameters{0.03, {0.1, 0.5}}, .source = {}}, 256.0);
+  for (int i = 0; i < 9; ++i) {
+    put(scene,
+        {{-40.0 + 40.0 * (i % 3), -40.0 + 40.0 * (i / 3)}, 16.0, 10.0, i == 4 ? 25.0 : 7.0, radians_from_deg(17.0 * i)},
+        lambert("wall", 0.3), lambert("roof", 0.1));
+  }
+  return scene;
+}
+
+// The whole of a village with what goes to and fro in it, from between the looks.
+TEST(BuildingsApart, MakeMapsNearerToTracedOnes) {
+  const scene::Scene scene = village();
+  const atlas::Atlas apart = baked(scene, settings_of(bake::Buildings::Apart, 3));
+  const atlas::Atlas with = baked(scene, settings_of(bake::Buildings::Baked, 3));
+  double rms_apart = 0.0, rms_with = 0.0;
+  for (const auto& [azimuth_deg, elevation_deg] : {std::pair{45.0, 15.0}, {120.0, 25.0}, {200.0, 10.0}}) {
+    const radar::Radar radar = radar_at(azimuth_deg, elevation_deg);
+    const radar::GroundMap truth = traced(scene, radar, 3);
+    const auto at_8_m = [&](const radar::GroundMap& map) {
+      return *product::compare_maps(map, truth, {.cells_m = {8.0}}).at_cell(8.0);
+    };
+    const auto of_apart = at_8_m(rendered(scene, apart, radar)), of_with = at_8_m(rendered(scene, with, radar));
+    rms_apart += of_apart.rms_db / 3.0;
+    rms_with += of_with.rms_db / 3.0;
+    validation::expect_close({.group = "Buildings apart",
+                              .name = fmt::format("a village from {:g}° at {:g}°, power", azimuth_deg, elevation_deg),
+                              .expected = 0.0,
+                              .measured = of_apart.bias_db,
+                              .tolerance = 0.25,
+                              .unit = "dB",
+                              .source = "path-traced map"});
+  }
+  EXPECT_LT(rms_apart, 0.6 * rms_with) << rms_apart << " and " << rms_with;
+}
+
+}  // namespace
+}  // namespace sigmascape::physics_test

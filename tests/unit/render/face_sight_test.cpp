@@ -1,0 +1,137 @@
+#include "sigmascape/render/face_sight.h"
+
+#include <cmath>
+#include <functional>
+#include <gtest/gtest.h>
+
+#include "sigmascape/base/units.h"
+#include "sigmascape/radar/radar.h"
+
+namespace sigmascape::render {
+namespace {
+
+constexpr double square_m = 2.0, half_m = 512.0;
+constexpr Vec3d south{0.0, -1.0, 0.0}, up{0.0, 0.0, 1.0};
+
+terrain::HeightField ground(const std::function<double(Vec2d)>& height_m) {
+  constexpr double spacing_m = 8.0;
+  constexpr auto nodes = static_cast<std::size_t>(2.0 * half_m / spacing_m) + 1;
+  terrain::HeightField field{-half_m, half_m, spacing_m, Array2D<float>(nodes, nodes)};
+  for (std::size_t row = 0; row < nodes; ++row) {
+    for (std::size_t column = 0; column < nodes; ++column) {
+      field.height_m(column, row) = static_cast<float>(
+          height_m({-half_m + spacing_m * static_cast<double>(column), half_m - spacing_m * static_cast<double>(row)}));
+    }
+  }
+  return field;
+}
+
+terrain::HeightField level_ground() {
+  return ground([](Vec2d) { return 0.0; });
+}
+
+radar::ObstacleMap obstacles(const std::function<radar::Obstacle(Vec2d)>& standing) {
+  constexpr auto side = static_cast<std::size_t>(2.0 * half_m / square_m);
+  radar::ObstacleMap map{{-half_m, half_m, square_m, side, side}, Array2D<radar::Obstacle>(side, side)};
+  for (std::size_t row = 0; row < side; ++row) {
+    for (std::size_t column = 0; column < side; ++column)
+      map.obstacles(column, row) = standing(map.grid.centre_of(column, row));
+  }
+  return map;
+}
+
+/// Solid where y lies between two values.
+std::function<radar::Obstacle(Vec2d)> solid_bar(double from_m, double to_m, float top_m) {
+  return [=](Vec2d place) { return radar::Obstacle{.solid_top_m = place.y > from_m && place.y < to_m ? top_m : 0.0F}; };
+}
+
+/// In the south, far away.
+Vec3d radar_at(double elevation_deg) {
+  return radar::position_seeing({}, pi, radians_from_deg(elevation_deg), 100e3);
+}
+
+double passed(const FaceSight& sight, Vec3d point, Vec3d normal, Vec3d radar) {
+  return sight.part_passed(point, normal, radar, sight.clear_above_m({point.x, point.y}, radar));
+}
+
+TEST(FaceSight, AFreeWallIsSeenAndOneBelowTheGroundIsNot) {
+  const auto terrain = level_ground();
+  const auto bare = obstacles([](Vec2d) { return radar::Obstacle{}; });
+  const FaceSight sight(bare, terrain);
+  EXPECT_EQ(passed(sight, {0.0, 0.0, 5.0}, south, radar_at(10.0)), 1.0);
+  EXPECT_EQ(passed(sight, {0.0, 0.0, -0.5}, south, radar_at(10.0)), 0.0);
+}
+
+// A square of which a house covers half is as high as its roof, before its walls too.
+TEST(FaceSight, AHouseDoesNotHideItsOwnWallsAndRoof) {
+  const auto terrain = level_ground();
+  for (double edge_m = 0.1; edge_m < 4.0; edge_m += 0.4) {
+    const auto house = obstacles(solid_bar(edge_m, edge_m + 20.0, 12.0F));
+    const FaceSight sight(house, terrain);
+    for (const double height_m : {0.5, 6.0, 11.5})
+      EXPECT_EQ(passed(sight, {0.0, edge_m, height_m}, south, radar_at(8.0)), 1.0) << edge_m << ", " << height_m;
+    EXPECT_EQ(passed(sight, {0.0, edge_m + 10.0, 12.0}, up, radar_at(8.0)), 1.0);
+  }
+}
+
+// 40 m behind the far edge of a bar of 10 m: 10 − 40 tan ψ of it is hidden, to half a square's worth.
+TEST(FaceSight, ABarHidesAWallUpToTheLineOfSightOverIt) {
+  const auto terrain = level_ground();
+  const auto bar = obstacles(solid_bar(-60.0, -40.0, 10.0F));
+  const FaceSight sight(bar, terrain);
+  for (const double elevation_deg : {3.0, 7.0, 12.0}) {
+    const double rise = std::tan(radians_from_deg(elevation_deg));
+    const double hidden_m = 10.0 - 40.0 * rise, doubt_m = square_m * rise + 0.05;
+    const Vec3d radar = radar_at(elevation_deg);
+    EXPECT_EQ(passed(sight, {0.0, 0.0, hidden_m - doubt_m}, south, radar), 0.0) << elevation_deg;
+    EXPECT_EQ(passed(sight, {0.0, 0.0, hidden_m + doubt_m}, south, radar), 1.0) << elevation_deg;
+  }
+}
+
+TEST(FaceSight, ARidgeFarAwayHidesWhatLiesBelowTheLineOverIt) {
+  const auto height_m = [](double y) { return 60.0 * std::exp(-std::pow((y + 400.0) / 40.0, 2)); };
+  const auto terrain = ground([&](Vec2d place) { return height_m(place.y); });
+  const auto none = obstacles([](Vec2d) { return radar::Obstacle{}; });
+  const auto few = obstacles(solid_bar(100.0, 110.0, 8.0F));
+  for (const radar::ObstacleMap* map : {&none, &few}) {
+    const FaceSight sight(*map, terrain);
+    const Vec3d radar = radar_at(5.0);
+    double hidden_m = 0.0;
+    for (double y = -512.0; y < 0.0; y += 0.1)
+      hidden_m = std::max(hidden_m, height_m(y) + y * std::tan(radians_from_deg(5.0)));
+    ASSERT_GT(hidden_m, 20.0);
+    EXPECT_EQ(passed(sight, {0.0, 0.0, hidden_m - 0.5}, south, radar), 0.0);
+    EXPECT_EQ(passed(sight, {0.0, 0.0, hidden_m + 0.5}, south, radar), 1.0);
+  }
+}
+
+// e^−κs over the way within: a crown from 4 to 9 m over 20 m of ground, met at its whole depth and cut by its top.
+TEST(FaceSight, ACrownWeakensByTheWayWithinIt) {
+  const auto terrain = level_ground();
+  const auto crown = obstacles([](Vec2d place) {
+    const bool within = place.y > -40.0 && place.y < -20.0;
+    return within ? radar::Obstacle{.crown_base_m = 4.0F, .crown_top_m = 9.0F, .crown_extinction_per_m = 0.1F}
+                  : radar::Obstacle{};
+  });
+  const FaceSight sight(crown, terrain);
+  const double rise = std::tan(radians_from_deg(5.0)), slant = std::hypot(1.0, rise);
+  EXPECT_NEAR(passed(sight, {0.0, 0.0, 4.0}, south, radar_at(5.0)), std::exp(-0.1 * 20.0 * slant), 0.01);
+  // From 6 m the line leaves through the top, 3 m / tan ψ away: of the crown the nearest 14.3 m.
+  EXPECT_NEAR(passed(sight, {0.0, 0.0, 6.0}, south, radar_at(5.0)), std::exp(-0.1 * (3.0 / rise - 20.0) * slant), 0.03);
+  EXPECT_EQ(passed(sight, {0.0, 0.0, 9.0}, south, radar_at(5.0)), 1.0);
+}
+
+// Over 4/3 of the Earth's radius 60 km of sea bulge by d₁ d₂ / (2 k R) between a radar and a wall.
+TEST(FaceSight, TheSeaBulgesBetweenThem) {
+  const auto terrain = level_ground();
+  const auto bare = obstacles([](Vec2d) { return radar::Obstacle{}; });
+  const radar::CurvedEarth earth;
+  const FaceSight flat(bare, terrain), curved(bare, terrain, earth);
+  const Vec3d grazing{0.0, -60e3, 20.0};
+  EXPECT_EQ(passed(flat, {0.0, 0.0, 1.0}, south, grazing), 1.0);
+  EXPECT_EQ(passed(curved, {0.0, 0.0, 1.0}, south, grazing), 0.0);
+  EXPECT_EQ(passed(curved, {0.0, 0.0, 1.0}, south, {0.0, -60e3, 2.0 * earth.drop_m(60e3)}), 1.0);
+}
+
+}  // namespace
+}  // namespace sigmascape::render
