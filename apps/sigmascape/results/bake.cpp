@@ -8,6 +8,7 @@
 #include <optional>
 #include <utility>
 
+#include "sigmascape/atlas/building_file.h"
 #include "sigmascape/atlas/ground_layers.h"
 #include "sigmascape/atlas/obstacle_file.h"
 #include "sigmascape/base/processor_stopwatch.h"
@@ -82,10 +83,12 @@ std::pair<atlas::Store, std::vector<double>> timed_bake(const scene::Scene& scen
   return {std::move(store), timer.seconds(textures)};
 }
 
-/// What a store holds of the ground apart from what stands on it; it serves every look.
-std::uintmax_t ground_bytes(const atlas::Store& store) {
+/// What a store holds of the ground and buildings apart from textures; it serves every look.
+std::uintmax_t bytes_apart(const atlas::Store& store) {
   if (!atlas::keeps_ground_apart(store)) return 0;
   std::uintmax_t bytes = 0;
+  if (atlas::keeps_buildings_apart(store.description()))
+    bytes += std::filesystem::file_size(store.folder() / atlas::buildings_name);
   for (const auto& file : std::filesystem::recursive_directory_iterator(store.folder() / "ground")) {
     if (file.path().extension() == ".tif") bytes += file.file_size();
   }
@@ -123,7 +126,7 @@ AtlasCost TimedBake::cost_of(const atlas::AspectSelection& selection, const atla
         std::filesystem::file_size(store_.folder() / store_.texture_path(units[i].patch, units[i].look));
     cost.bake_seconds += unit_seconds_[i];
   }
-  cost.store_bytes += ground_bytes(store_);
+  cost.store_bytes += bytes_apart(store_);
   return cost;
 }
 

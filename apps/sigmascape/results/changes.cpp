@@ -98,6 +98,12 @@ std::vector<Change> changes(const ResultsPlan& plan) {
   baked.method = Method::BakedShadows;
   level.method = Method::LevelGround;
   own.method = Method::OwnGround;
+  const auto apart_from = [&](const LookGrid& looks) {
+    ResultsCase of = paper;
+    of.method = Method::Apart;
+    of.grid = looks.name();
+    return of;
+  };
   const auto own_from = [&](const LookGrid& looks) {
     ResultsCase of = own;
     of.grid = looks.name();
@@ -120,6 +126,7 @@ std::vector<Change> changes(const ResultsPlan& plan) {
        kept_mark});
   list.push_back({{"shadows made at run time", text_of(Method::BakedShadows), level, baked}, kept_mark});
   list.push_back({{"objects baked on their own ground", text_of(Method::LevelGround), own, level}, kept_mark});
+  list.push_back({{"buildings kept apart", before, apart_from(plan.paper_grid()), own}, "an option"});
   if (plan.has_default_bake) {
     list.push_back(
         {{fmt::format("{}: {} a texel", adaptive_change, rays_text(0)), before, with_rays_where_noise_is(own), own},
@@ -139,6 +146,8 @@ std::vector<Change> changes(const ResultsPlan& plan) {
     list.push_back({{fmt::format("the same, {}", adaptive_change), fmt::format("{}, {}", before, next),
                      with_rays_where_noise_is(finer), finer},
                     kept_mark});
+    list.push_back({{"buildings kept apart", fmt::format("{}, {}", before, next), apart_from(plan.next_grid()), finer},
+                    "an option"});
   }
   if (plan.has_finest_grid()) {
     const LookGrid& finest = plan.grids.back();

@@ -110,7 +110,7 @@ std::string aim_line(const ResultsReport& report, const ResultsRow& row, const R
 std::string aims_of_scene(const ResultsReport& report, const std::string& scene, double least) {
   const ResultsPlan& plan = report.plan;
   std::string text = truth_aim(report, scene, ViewKind::OnGrid);
-  for (const Method method : {Method::Paper, Method::LevelGround, Method::OwnGround}) {
+  for (const Method method : {Method::Paper, Method::LevelGround, Method::OwnGround, Method::Apart}) {
     for (const auto& [grid, samples, change] :
          {std::tuple(plan.paper_grid().name(), plan.baked_samples, ""),
           {std::string(own_look), 0U, adaptive_change},
@@ -224,7 +224,7 @@ std::string cell_section(const ResultsReport& report) {
   const ResultsPlan& plan = report.plan;
   std::string text = fmt::format("## By cell size\n\nFrom the {} grid.\n\n", plan.paper_grid().name()) + cell_heads();
   for (const ViewKind kind : {ViewKind::OnGrid, ViewKind::HeldOut, ViewKind::Paper}) {
-    for (const Method method : {Method::Paper, Method::LevelGround, Method::OwnGround}) {
+    for (const Method method : {Method::Paper, Method::LevelGround, Method::OwnGround, Method::Apart}) {
       const ResultsRow* row = find_row(report.rows, {.scene = plan.scene_name(),
                                                      .method = method,
                                                      .grid = plan.paper_grid().name(),

@@ -83,12 +83,15 @@ std::string words_of_methods(const PageLinks& links) {
       "- **ours, on level ground**: the same, but {}, and shadows are made when a map is; its bytes include the "
       "ground.\n"
       "- **ours, on its own ground**: the same, and {}. So `sigmascape bake` does by default, but with rays that {}; "
-      "here every texel gets as many.\n\n",
+      "here every texel gets as many.\n"
+      "- **ours, buildings apart**: the same, and {} (`bake --buildings apart`); its bytes include these.\n\n",
       links.to("to the letter", "docs/decisions/0050-the-paper-literally.md"),
       links.to("γ is blended over cot ψ", "docs/decisions/0005-blend-gamma.md"),
       links.to("the ground is kept apart from what stands on it", "docs/decisions/0006-ground-apart.md"),
       links.to("objects are baked on the terrain that they stand on", "docs/decisions/0051-baked-on-its-own-ground.md"),
-      links.to("go where the noise is", "docs/decisions/0097-rays-where-the-noise-is.md"));
+      links.to("go where the noise is", "docs/decisions/0097-rays-where-the-noise-is.md"),
+      links.to("what buildings return directly is made from their walls and roofs when a map is",
+               "docs/decisions/0171-buildings-apart.md"));
 }
 
 /// How well two traced maps agree, and what that leaves a baked map to reach.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <iterator>
 #include <limits>
 #include <tuple>
 
@@ -130,6 +131,7 @@ Measurement::Measurement(const ResultsPlan& plan, const std::filesystem::path& f
       baked_shadows_(scene_.scene, plan.bake_settings(Method::BakedShadows), folder / "atlas_baked_shadows", progress_),
       level_ground_(scene_.scene, plan.bake_settings(Method::LevelGround), folder / "atlas_level_ground", progress_),
       own_ground_(scene_.scene, plan.bake_settings(Method::OwnGround), folder / "atlas_own_ground", progress_),
+      buildings_apart_(scene_.scene, plan.bake_settings(Method::Apart), folder / "atlas_buildings_apart", progress_),
       even_in_cotangent_(scene_.scene, settings_even_in_cotangent(plan), folder / "atlas_even_in_cotangent", progress_),
       shared_noise_(scene_.scene, settings_of_shared_noise(plan), folder / "atlas_shared_noise", progress_) {
   if (plan.has_default_bake)
@@ -217,6 +219,8 @@ void Measurement::make_ready() {
   ours(Method::LevelGround, plan_.grids.front(), level_ground_);
   ours(Method::LevelGround, grid, level_ground_);
   for (const LookGrid& looks : plan_.grids) ours(Method::OwnGround, looks, own_ground_);
+  ours(Method::Apart, grid, buildings_apart_);
+  if (plan_.finest_grid_apart().name() != grid.name()) ours(Method::Apart, plan_.finest_grid_apart(), buildings_apart_);
   ours(Method::OwnGround, plan_.more_elevations(), own_ground_);
   ours(Method::OwnGround, plan_.more_azimuths(), own_ground_);
   ours(Method::OwnGround, plan_.even_in_cotangent(), even_in_cotangent_);
@@ -260,12 +264,38 @@ std::string Measurement::machines() const {
 }
 
 void Measurement::compare_once(const MeasuredScene& measured, PlannedView view) {
-  if (kept_.find(measured.name, view) != nullptr) return;
+  if (const MeasuredView* kept = kept_.find(measured.name, view)) return compare_what_lacks(measured, *kept);
   // Maps of more rays serve as well, but on the grid, where looks are baked with as many.
   if (view.kind != ViewKind::OnGrid)
     view.traced_samples = std::max(view.traced_samples, samples_kept(measured, view, plan_, folder_ / "truth"));
   compare(measured, view);
   kept_.add({measured.name, view, machine_name(), std::exchange(results_, {})});
+}
+
+/// Ways that came after the view was measured, where its truth is there: of one that another folder has measured it is
+/// not.
+void Measurement::compare_what_lacks(const MeasuredScene& measured, MeasuredView kept) {
+  if (samples_kept(measured, kept.view, plan_, folder_ / "truth") < kept.view.traced_samples) return;
+  std::vector<const ReadyMethod*> lacking;
+  for (const ReadyMethod& method : methods_) {
+    const bool is_there = std::ranges::any_of(kept.results, [&](const ViewResult& result) {
+      return result.of.method == method.method && result.of.grid == method.grid && result.of.change == method.change &&
+             result.of.baked_samples == method.baked_samples;
+    });
+    if (!is_there && is_for(measured, method)) lacking.push_back(&method);
+  }
+  if (lacking.empty()) return;
+  const Truth truth = traced_truth(measured, kept.view, plan_, folder_ / "truth");
+  for (const ReadyMethod* method : lacking) hold_against(truth, measured, kept.view, *method);
+  std::ranges::move(std::exchange(results_, {}), std::back_inserter(kept.results));
+  if (kept.machine != machine_name()) kept.machine += " and " + machine_name();
+  kept_.add(std::move(kept));
+}
+
+/// What was baked on hills does not stand on level ground; what tracing takes is asked of the scene as it is.
+bool Measurement::is_for(const MeasuredScene& measured, const ReadyMethod& method) const {
+  return &measured == &scene_ || (method.change.empty() && method.method != Method::OwnGround &&
+                                  method.method != Method::Apart && method.method != Method::Traced);
 }
 
 /// Steep views take the least time, so that most of them agree soonest.
@@ -289,9 +319,7 @@ void Measurement::compare(const MeasuredScene& measured, const PlannedView& view
   const Truth truth = traced_truth(measured, view, plan_, folder_ / "truth");
   const bool is_main = &measured == &scene_;
   for (const ReadyMethod& method : methods_) {
-    // What was baked on hills does not stand on level ground; what tracing takes is asked of the scene as it is.
-    if (!is_main && (!method.change.empty() || method.method == Method::OwnGround || method.method == Method::Traced))
-      continue;
+    if (!is_for(measured, method)) continue;
     const bool by_level = is_main && method.method == Method::OwnGround && method.change.empty() &&
                           method.grid == plan_.paper_grid().name();
     for (int level = 1; level <= (by_level ? coarsest_level_of_detail : 1); ++level)

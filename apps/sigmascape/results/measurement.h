@@ -71,8 +71,10 @@ class Measurement {
                                                 const render::PaperLookUp& look_up) const;
   [[nodiscard]] ReadyMethod from_few_rays(std::uint32_t samples) const;
   void make_ready();
-  /// Unless it is kept.
+  /// Of one that is kept what it lacks.
   void compare_once(const MeasuredScene& measured, PlannedView view);
+  void compare_what_lacks(const MeasuredScene& measured, MeasuredView kept);
+  [[nodiscard]] bool is_for(const MeasuredScene& measured, const ReadyMethod& method) const;
   /// Views that were not baked and whose traced maps do not agree, with as many rays as the plan has for them.
   void compare_anew_what_disagrees();
   void compare(const MeasuredScene& measured, const PlannedView& view);
@@ -110,7 +112,7 @@ class Measurement {
   MeasuredViews kept_;
   std::optional<MeasuredScene> level_;
   PaperBake paper_bake_, paper_bake_again_;
-  TimedBake baked_shadows_, level_ground_, own_ground_, even_in_cotangent_, shared_noise_;
+  TimedBake baked_shadows_, level_ground_, own_ground_, buildings_apart_, even_in_cotangent_, shared_noise_;
   std::optional<TimedBake> default_;  ///< as `sigmascape bake` samples by default
   std::shared_ptr<const render::PaperTextures> paper_textures_;
   std::vector<ReadyMethod> methods_;

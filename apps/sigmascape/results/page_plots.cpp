@@ -8,7 +8,8 @@ namespace sigmascape::cli {
 namespace {
 
 constexpr const char* noise_floor_name = "least that can be shown";
-constexpr Method methods[] = {Method::Paper, Method::BakedShadows, Method::LevelGround, Method::OwnGround};
+constexpr Method methods[] = {Method::Paper, Method::BakedShadows, Method::LevelGround, Method::OwnGround,
+                              Method::Apart};
 
 /// A level line, as far as the points of a plot reach, at half of what two traced maps of held-out views differ by:
 /// what the noise of their mean leaves of a map without fault.

@@ -122,6 +122,8 @@ std::string text_of(Method method) {
       return "ours, on level ground";
     case Method::OwnGround:
       return "ours, on its own ground";
+    case Method::Apart:
+      return "ours, buildings apart";
     case Method::Traced:
       return "path-traced";
   }
@@ -142,15 +144,19 @@ LookGrid ResultsPlan::even_in_cotangent() const {
 }
 
 bake::BakeSettings ResultsPlan::bake_settings(Method method) const {
-  const bool on_own_ground = method == Method::OwnGround;
+  const bool on_own_ground = method == Method::OwnGround || method == Method::Apart;
+  const LookGrid& looks = method == Method::OwnGround ? grids.back()
+                          : method == Method::Apart   ? finest_grid_apart()
+                                                      : paper_grid();
   const bool shadows_at_run_time = on_own_ground || method == Method::LevelGround;
-  return {.aspects = on_own_ground ? grids.back().aspects() : paper_grid().aspects(),
+  return {.aspects = looks.aspects(),
           .patches = {.texel_m = texel_m, .texels_per_side = 256},
           .sampling = {.samples_per_texel = baked_samples},
           .max_bounces = bounces,
           .seed = seed,
           .shadows = shadows_at_run_time ? bake::Shadows::RunTime : bake::Shadows::Baked,
           .footing = on_own_ground ? trace::Footing::Terrain : trace::Footing::LevelPlane,
+          .buildings = method == Method::Apart ? bake::Buildings::Apart : bake::Buildings::Baked,
           .threads = threads};
 }
 

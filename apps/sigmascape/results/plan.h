@@ -73,11 +73,12 @@ enum class Method {
   BakedShadows,  ///< Shadows::Baked
   LevelGround,   ///< Shadows::RunTime, objects baked on level ground
   OwnGround,     ///< the same, objects baked on their own terrain
+  Apart,         ///< the same, buildings kept apart
   Traced,        ///< from the full scene, with fewer rays than the truth
 };
 
-inline constexpr std::initializer_list<Method> all_methods = {Method::Paper, Method::BakedShadows, Method::LevelGround,
-                                                              Method::OwnGround, Method::Traced};
+inline constexpr std::initializer_list<Method> all_methods = {
+    Method::Paper, Method::BakedShadows, Method::LevelGround, Method::OwnGround, Method::Apart, Method::Traced};
 
 [[nodiscard]] std::string text_of(Method method);
 
@@ -137,7 +138,10 @@ struct ResultsPlan {
   /// The paper's grid with as many elevations over the same span, evenly spaced in cot ψ. No other grid holds them all,
   /// and so it is baked by itself.
   [[nodiscard]] LookGrid even_in_cotangent() const;
-  /// Of the finest grid for objects on their own ground, of the paper's otherwise.
+  /// The finest grid that buildings are kept apart from: their bakes are made beside those of all else.
+  [[nodiscard]] const LookGrid& finest_grid_apart() const { return has_default_bake ? next_grid() : paper_grid(); }
+  /// Of the finest grid for objects on their own ground, of finest_grid_apart with buildings apart, of the paper's
+  /// otherwise.
   [[nodiscard]] bake::BakeSettings bake_settings(Method method) const;
   /// The places of a coarser grid within a finer one.
   [[nodiscard]] static atlas::AspectSelection selection_of(const LookGrid& grid, const atlas::AspectGrid& within);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <optional>
+#include <tuple>
 #include <utility>
 
 #include "results/columns.h"
@@ -36,13 +37,15 @@ std::vector<const ResultsRow*> traced_with_few_rays(const ResultsPlan& plan, con
   return traced;
 }
 
-/// Ours on its own ground from every grid, as planned and as baked by default.
+/// Ours on its own ground from every grid, as planned, with buildings apart and as baked by default.
 std::vector<const ResultsRow*> baked(const ResultsPlan& plan, const std::vector<ResultsRow>& rows) {
   std::vector<const ResultsRow*> found;
-  for (const auto& [samples, change] : {std::pair(plan.baked_samples, ""), {0U, adaptive_change}}) {
+  for (const auto& [method, samples, change] : {std::tuple(Method::OwnGround, plan.baked_samples, ""),
+                                                {Method::Apart, plan.baked_samples, ""},
+                                                {Method::OwnGround, 0U, adaptive_change}}) {
     for (const LookGrid& grid : plan.grids) {
       const ResultsRow* row = find_row(rows, {.scene = plan.scene_name(),
-                                              .method = Method::OwnGround,
+                                              .method = method,
                                               .grid = grid.name(),
                                               .baked_samples = samples,
                                               .change = change});
