@@ -131,7 +131,8 @@ TEST(BuildingsApart, ReturnWhatTheirWallsAndRoofsDo) {
                             returned_m2(box.width_m * box.height_m, across * std::cos(elevation_rad)) +
                             returned_m2(box.length_m * box.width_m, std::sin(elevation_rad));
     const radar::GroundMap map = rendered(scene, atlas, radar_at(azimuth_deg, elevation_deg));
-    expect_decibels(fmt::format("a box from {:g}° at {:g}°", azimuth_deg, elevation_deg), expected, power_m2(map), 0.1);
+    expect_decibels(fmt::format("a box from {:g}° at {:g}°", azimuth_deg, elevation_deg), expected, power_m2(map),
+                    0.02);
   }
 }
 
@@ -175,7 +176,7 @@ TEST(BuildingsApart, LieOverTowardsTheRadar) {
                               .name = fmt::format("middle of the layover of a 20 m wall at {:g}°", elevation_deg),
                               .expected = -0.5 * box.height_m * std::tan(radians_from_deg(elevation_deg)),
                               .measured = moment / sum,
-                              .tolerance = 0.25,
+                              .tolerance = 0.05,
                               .unit = "m",
                               .source = "half h tan ψ before its foot"});
   }
@@ -195,7 +196,7 @@ TEST(BuildingsApart, HideOneAnother) {
     const double expected =
         returned_m2(behind.length_m * (behind.height_m - hidden_m), std::cos(radians_from_deg(elevation_deg)));
     expect_decibels(fmt::format("a wall behind another at {:g}°", elevation_deg), expected,
-                    power_m2(rendered(scene, atlas, radar_at(180.0, elevation_deg))), 0.35);
+                    power_m2(rendered(scene, atlas, radar_at(180.0, elevation_deg))), 0.15);
   }
 }
 
@@ -242,7 +243,7 @@ TEST(BuildingsApart, MakeMapsNearerToTracedOnes) {
                               .name = fmt::format("a village from {:g}° at {:g}°, power", azimuth_deg, elevation_deg),
                               .expected = 0.0,
                               .measured = of_apart.bias_db,
-                              .tolerance = 0.25,
+                              .tolerance = 0.1,
                               .unit = "dB",
                               .source = "path-traced map"});
   }

@@ -18,8 +18,8 @@
 namespace sigmascape::render {
 namespace {
 
-/// Points that a face has for each square of its own area.
-constexpr double points_a_square = 4.0;
+/// Longest edge of the pieces that faces are taken in, over the side of a square.
+constexpr double longest_piece = 1.0;
 
 /// Faces that are near together ask once what hides them from afar.
 constexpr double cluster_m = 32.0;
@@ -35,6 +35,28 @@ radar::GroundGrid squares_over(const radar::Rectangle& area, double side_m) {
           static_cast<std::size_t>(north - south)};
 }
 
+using Corners = std::array<Vec3d, 3>;
+
+Vec3d middle_of(const Corners& corners) {
+  return (corners[0] + corners[1] + corners[2]) * (1.0 / 3.0);
+}
+
+/// Halves a triangle across its longest edge, and these again, until no edge is longer; calls `visit(middle, area_m2)`
+/// for each piece.
+template <typename Visit>
+void for_each_piece(const Corners& corners, double area_m2, double longest_m, const Visit& visit) {
+  std::size_t longest = 0;
+  const auto edge_of = [&](std::size_t first) { return corners[(first + 1) % 3] - corners[first]; };
+  for (const std::size_t other : {std::size_t{1}, std::size_t{2}}) {
+    if (dot(edge_of(other), edge_of(other)) > dot(edge_of(longest), edge_of(longest))) longest = other;
+  }
+  if (dot(edge_of(longest), edge_of(longest)) <= longest_m * longest_m) return visit(middle_of(corners), area_m2);
+  const Vec3d from = corners[longest], to = corners[(longest + 1) % 3], apex = corners[(longest + 2) % 3];
+  const Vec3d half_way = (from + to) * 0.5;
+  for_each_piece({from, half_way, apex}, 0.5 * area_m2, longest_m, visit);
+  for_each_piece({half_way, to, apex}, 0.5 * area_m2, longest_m, visit);
+}
+
 /// A face as it stands.
 struct Face {
   Face(const atlas::Buildings& buildings, std::size_t number) {
@@ -44,16 +66,9 @@ struct Face {
     normal = area_m2 > 0.0 ? twice * (0.5 / area_m2) : Vec3d{};
     material = buildings.material_of[number];
   }
-  [[nodiscard]] Vec3d middle() const { return (corners[0] + corners[1] + corners[2]) * (1.0 / 3.0); }
-  /// One of `count` points that lie evenly over it: a square root along one side, a low-discrepancy sequence across.
-  [[nodiscard]] Vec3d point(std::size_t index, std::size_t count) const {
-    constexpr double plastic = 0.7548776662466927;  // one over the plastic number
-    const double along = std::sqrt((static_cast<double>(index) + 0.5) / static_cast<double>(count));
-    const double turn = 0.5 + plastic * static_cast<double>(index), across = turn - std::floor(turn);
-    return corners[0] * (1.0 - along) + corners[1] * (along * (1.0 - across)) + corners[2] * (along * across);
-  }
+  [[nodiscard]] Vec3d middle() const { return middle_of(corners); }
 
-  std::array<Vec3d, 3> corners;
+  Corners corners;
   Vec3d normal;
   double area_m2;
   std::uint8_t material;
@@ -102,8 +117,8 @@ Vec2d landing_of(Vec3d point, Vec3d radar, const terrain::HeightField& terrain) 
   const Vec2d towards{away.x / distance_m, away.y / distance_m};
   const double above_m = point.z - terrain.height_at(foot);
   const double most_m = farthest_layover * std::max(std::abs(above_m), 1.0);
-  double over_m = 0.0;
-  constexpr int steps = 6;  // each leaves of the error what the slope is to the line of sight
+  double over_m = above_m * away.z / distance_m;  // over level ground, from afar
+  constexpr int steps = 3;                        // each leaves of the error what the slope is to the line of sight
   for (int step = 0; step < steps; ++step) {
     const Vec2d place = foot + towards * over_m;
     const double left_m = distance_m - over_m, down_m = radar.z - terrain.height_at(place);
@@ -124,9 +139,38 @@ bool may_land_in(const radar::GroundGrid& grid, const Face& face, Vec3d radar, c
                      grid.extent());
 }
 
-/// Share of the next square in a point so far on the way from one's middle to its: as atlas::Atlas blends texels.
-float share_of_next(double way) {
-  return std::clamp(2.0F * static_cast<float>(way) - 0.5F, 0.0F, 1.0F);
+/// Share of the next square in what is so wide, in squares, so far on the way from one's middle to its.
+float share_of_next(double way, double width) {
+  return static_cast<float>(std::clamp(0.5 + (way - 0.5) / width, 0.0, 1.0));
+}
+
+/// Where a point lies among the middles of squares.
+struct AmongSquares {
+  AmongSquares(Vec2d point, const radar::GroundGrid& grid, double width) {
+    const double across = (point.x - grid.west_m) / grid.cell_m - 0.5,
+                 down = (grid.north_m - point.y) / grid.cell_m - 0.5;
+    column = std::floor(across);
+    row = std::floor(down);
+    right = share_of_next(across - column, width);
+    below = share_of_next(down - row, width);
+  }
+
+  double column, row;  ///< of the north-western one of four
+  float right, below;  ///< what the eastern and the southern ones have of it
+};
+
+/// Gives what a piece returns to the squares that it lies on, as though it were as wide either way as its longest edge.
+void add(const radar::Channels& rcs_m2, Vec2d place, const radar::GroundGrid& grid, receiver::GroundAccumulator& sums) {
+  const AmongSquares at(place, grid, longest_piece);
+  for (const auto& [east, share_across] : {std::pair(0.0, 1.0F - at.right), {1.0, at.right}}) {
+    for (const auto& [south, share_down] : {std::pair(0.0, 1.0F - at.below), {1.0, at.below}}) {
+      const float share = share_across * share_down;
+      const Vec2d middle{grid.west_m + (at.column + east + 0.5) * grid.cell_m,
+                         grid.north_m - (at.row + south + 0.5) * grid.cell_m};
+      const auto square = sums.cell_at(middle);
+      if (share > 0.0F && square) sums.add(*square, rcs_m2 * share, 0.0);
+    }
+  }
 }
 
 }  // namespace
@@ -149,20 +193,15 @@ BuildingLayer::BuildingLayer(const atlas::Atlas& atlas, const terrain::HeightFie
       const bool looks_away = dot(face.normal, radar - middle) <= 0.0;
       if (looks_away || !may_land_in(grid_, face, radar, terrain)) continue;
       if (!clear_above_m) clear_above_m = sight.clear_above_m({middle.x, middle.y}, radar);
-      const auto count =
-          static_cast<std::size_t>(std::ceil(points_a_square * face.area_m2 / (grid_.cell_m * grid_.cell_m)));
-      for (std::size_t i = 0; i < count; ++i) {
-        const Vec3d point = face.point(i, count);
+      for_each_piece(face.corners, face.area_m2, longest_piece * grid_.cell_m, [&](Vec3d point, double area_m2) {
         Vec3d away = radar - point;
         away.z -= request.earth.drop_m(std::hypot(away.x, away.y));
         const radar::Channels returned = reflectivity[face.material].at(dot(face.normal, normalized(away)));
-        if (returned == radar::Channels{}) continue;
-        const auto square = sums.cell_at(landing_of(point, radar, terrain));
-        if (!square) continue;
+        const Vec2d place = landing_of(point, radar, terrain);
+        if (returned == radar::Channels{} || !grid_.extent().contains(place)) return;
         const double passed = sight.part_passed(point, face.normal, radar, *clear_above_m);
-        if (passed > 0.0)
-          sums.add(*square, returned * static_cast<float>(passed * face.area_m2 / static_cast<double>(count)), 0.0);
-      }
+        if (passed > 0.0) add(returned * static_cast<float>(passed * area_m2), place, grid_, sums);
+      });
     }
   });
   sigma0_ = sums.sigma0();
@@ -176,16 +215,14 @@ std::shared_ptr<const BuildingLayer> building_layer(const atlas::Atlas& atlas, c
 }
 
 radar::Channels BuildingLayer::sigma0_at(Vec2d point) const {
-  const double across = (point.x - grid_.west_m) / grid_.cell_m - 0.5;
-  const double down = (grid_.north_m - point.y) / grid_.cell_m - 0.5;
-  const double column = std::floor(across), row = std::floor(down);
-  if (!(column >= 0.0 && row >= 0.0 && column + 1.0 < static_cast<double>(grid_.columns) &&
-        row + 1.0 < static_cast<double>(grid_.rows)))
+  // As atlas::Atlas blends texels: over half of one.
+  const AmongSquares at(point, grid_, 0.5);
+  if (!(at.column >= 0.0 && at.row >= 0.0 && at.column + 1.0 < static_cast<double>(grid_.columns) &&
+        at.row + 1.0 < static_cast<double>(grid_.rows)))
     return {};
-  const auto i = static_cast<std::size_t>(column), j = static_cast<std::size_t>(row);
-  const float u = share_of_next(across - column), v = share_of_next(down - row);
-  return (sigma0_(i, j) * (1.0F - u) + sigma0_(i + 1, j) * u) * (1.0F - v) +
-         (sigma0_(i, j + 1) * (1.0F - u) + sigma0_(i + 1, j + 1) * u) * v;
+  const auto i = static_cast<std::size_t>(at.column), j = static_cast<std::size_t>(at.row);
+  return (sigma0_(i, j) * (1.0F - at.right) + sigma0_(i + 1, j) * at.right) * (1.0F - at.below) +
+         (sigma0_(i, j + 1) * (1.0F - at.right) + sigma0_(i + 1, j + 1) * at.right) * at.below;
 }
 
 }  // namespace sigmascape::render
