@@ -13,7 +13,9 @@
 #include "number_within.h"
 #include "plot_curves.h"
 #include "polarization_option.h"
+#include "standard_error.h"
 
+#include "sigmascape/atlas/building_file.h"
 #include "sigmascape/base/error.h"
 #include "sigmascape/base/file_ending.h"
 #include "sigmascape/base/toml_reader.h"
@@ -167,6 +169,8 @@ void plot_aspects(const PlotOptions& options, const Output& output) {
   const double frequency_hz = options.frequency_ghz * 1e9;
   textures.check_frequency(frequency_hz);
   textures.prepare({point.x, point.y, point.x, point.y}, 0.0);
+  if (atlas::keeps_buildings_apart(store.description()))
+    warn(fmt::format("{}: what walls and roofs return directly is kept apart, and not in these curves", options.input));
   finish(options, aspect_plot(textures, point, frequency_hz, options.polarization, options.over == "elevation"), output,
          {{"x_m", point.x}, {"y_m", point.y}});
 }

@@ -206,14 +206,16 @@ void add_atlas(py::module_& module) {
            py::arg("frequency_ghz"), py::call_guard<WithoutGil>(),
            "The stored Texture of one patch from one baked look. Where shadows are made at run time it holds all "
            "echoes\n"
-           "but the bare ground's own.")
+           "but the bare ground's own, and those of buildings' walls and roofs where these are kept apart.")
       .def("sigma0_at", &sigma0_at, py::arg("x_m"), py::arg("y_m"), py::kw_only(), py::arg("azimuth_deg"),
            py::arg("elevation_deg"), py::arg("frequency_ghz"), py::arg("level") = 0.0,
            "sigma0 at points, interpolated in place, level and look (linear power): float32 [..., 4] for x_m and y_m "
            "of\n"
            "shape [...], within 1e7 m of the origin. Of atlases that keep bare ground apart, as bake() makes them "
            "unless\n"
-           "told otherwise, it is in it, unshadowed. 0 outside the atlas.")
+           "told otherwise, it is in it, unshadowed; what buildings that are kept apart return directly is not. 0 "
+           "outside "
+           "the\natlas.")
       .def(
           "load", [](const LoadedAtlas& a) { long_call([&a] { a.textures().prepare(a.description().extent, 0.0); }); },
           "Reads all textures now rather than when first needed.")

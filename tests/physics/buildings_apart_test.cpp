@@ -15,6 +15,7 @@
 #include "sigmascape/base/error.h"
 #include "sigmascape/product/ground_projection.h"
 #include "sigmascape/product/map_metrics.h"
+#include "sigmascape/radar/rectangle_parts.h"
 #include "sigmascape/render/live_ground.h"
 #include "sigmascape/scene/building_extrusion.h"
 #include "sigmascape/simulate/simulate.h"
@@ -86,7 +87,7 @@ radar::GroundMap traced(const scene::Scene& scene, const radar::Radar& radar, in
   trace::TraceCounts counts;
   return product::ground_map(
       simulate::traced_image(scene, geometry, radar, map_cells.extent(),
-                             {.cell_m = 1.0, .samples_per_cell = 64, .max_bounces = bounces}, counts),
+                             {.cell_m = 1.0, .samples_per_cell = 16, .max_bounces = bounces}, counts),
       scene.terrain, map_cells);
 }
 
@@ -198,6 +199,73 @@ TEST(BuildingsApart, HideOneAnother) {
     expect_decibels(fmt::format("a wall behind another at {:g}°", elevation_deg), expected,
                     power_m2(rendered(scene, atlas, radar_at(180.0, elevation_deg))), 0.15);
   }
+}
+
+/// Ground that rises to the north.
+scene::Scene slope_scene(const scatter::Material& ground, double rise) {
+  scene::Scene scene = level_scene(ground, 256.0);
+  for (const std::size_t column : {0U, 1U}) {
+    scene.terrain.height_m(column, 0) = static_cast<float>(128.0 * rise);
+    scene.terrain.height_m(column, 1) = static_cast<float>(-128.0 * rise);
+  }
+  return scene;
+}
+
+// A house on a slope stands on its lowest corner: what of its walls is in the hill is not seen, and its roof is whole.
+TEST(BuildingsApart, StandInSlopes) {
+  for (const double rise : {0.3, 0.6}) {
+    scene::Scene scene = slope_scene(lambert("black", 0.0), rise);
+    const Box box{{3.0, 5.0}, 20.0, 14.0, 16.0};
+    scene::append_building(
+        scene.buildings, box.outline(), box.height_m, scene::footing_of(box.outline(), scene.terrain),
+        scene.material_index(lambert("wall", albedo)), scene.material_index(lambert("roof", albedo)));
+    const atlas::Atlas atlas = baked(scene, settings_of(bake::Buildings::Apart, 1));
+    for (const auto& [azimuth_deg, elevation_deg] : {std::pair{90.0, 35.0}, {180.0, 20.0}, {215.0, 45.0}}) {
+      const radar::Radar radar = radar_at(azimuth_deg, elevation_deg);
+      validation::expect_close(
+          {.group = "Buildings apart",
+           .name = fmt::format("a house on a slope of {:g} from {:g}° at {:g}°", rise, azimuth_deg, elevation_deg),
+           .expected = db_from_linear(power_m2(traced(scene, radar, 1))),
+           .measured = db_from_linear(power_m2(rendered(scene, atlas, radar))),
+           .tolerance = 0.1,
+           .unit = "dBm²",
+           .source = "path-traced map"});
+    }
+  }
+}
+
+// Of a hall that is larger than what is mapped, all faces' middles lie beside the map.
+TEST(BuildingsApart, AreSeenInPartOfThem) {
+  scene::Scene scene = level_scene(lambert("black", 0.0), 256.0);
+  put(scene, {{0.0, 0.0}, 240.0, 240.0, 8.0}, lambert("wall", albedo), lambert("roof", albedo));
+  const atlas::Atlas atlas = baked(scene, settings_of(bake::Buildings::Apart, 1));
+  const radar::Radar radar = radar_at(200.0, 25.0);
+  const double sine = std::sin(radians_from_deg(25.0));
+  for (const Vec2d middle : {Vec2d{0.0, 0.0}, {70.0, 60.0}, {-80.0, 20.0}}) {
+    const radar::GroundGrid part{middle.x - 10.0, middle.y + 10.0, texel_m, 10, 10};
+    render::RenderCounts counts;
+    const radar::GroundMap map = product::ground_map(
+        simulate::baked_image(atlas, scene.terrain, radar, radar::widened(part.extent(), 8.0), {}, counts),
+        scene.terrain, part);
+    double mean = 0.0;
+    for (const radar::Channels& cell : map.sigma0.values()) mean += static_cast<double>(cell.vv) / 100.0;
+    expect_decibels(fmt::format("roof about ({:g}, {:g}) m", middle.x, middle.y), returned_m2(1.0, sine), mean, 0.05);
+  }
+}
+
+// Squares of 8 m have what sixteen of 2 m have.
+TEST(BuildingsApart, KeepTheirPowerAtCoarserLevels) {
+  scene::Scene scene = level_scene(lambert("black", 0.0), 256.0);
+  put(scene, {{3.0, -5.0}, 30.0, 18.0, 12.0, radians_from_deg(20.0)}, lambert("house", albedo),
+      lambert("house", albedo));
+  const atlas::Atlas atlas = baked(scene, settings_of(bake::Buildings::Apart, 1));
+  const radar::Radar radar = radar_at(225.0, 20.0);
+  const double finest_m2 = power_m2(rendered(scene, atlas, radar));
+  render::RenderCounts counts;
+  const radar::GroundMap coarse = product::ground_map(
+      simulate::baked_image(atlas, scene.terrain, radar, map_cells.extent(), {.level_of_detail = 3}, counts),
+      scene.terrain, map_cells);
+  expect_decibels("a box at level of detail 3", finest_m2, power_m2(coarse), 0.1);
 }
 
 // Frames would show a town without its houses.

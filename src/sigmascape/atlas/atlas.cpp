@@ -41,6 +41,7 @@ std::size_t Atlas::memory_bytes() const {
   if (ground_layers_) {
     bytes +=
         ground_layers_->sigma0.memory_bytes() + ground_layers_->obstacles.obstacles.size() * sizeof(radar::Obstacle);
+    if (ground_layers_->buildings) bytes += ground_layers_->buildings->memory_bytes();
   }
   return bytes;
 }

@@ -28,7 +28,7 @@ static_assert(std::endian::native == std::endian::little, "glTF is little-endian
 constexpr std::uint32_t magic = 0x46546C67, version = 2, json_chunk = 0x4E4F534A, binary_chunk = 0x004E4942;
 constexpr int of_floats = 5126, of_unsigned = 5125;
 constexpr const char* reflectivity_key = "sigmascape:reflectivity";
-constexpr const char* step_key = "sigmascape:step_deg";
+constexpr const char* angles_key = "sigmascape:off_normal_rad";
 
 /// Numbers of a buffer one after the other, and what tells of them.
 class Accessors {
@@ -103,13 +103,16 @@ std::string glb_bytes(const Buildings& buildings) {
       primitives.push_back({{"attributes", {{"POSITION", positions}}}, {"indices", corners}, {"material", material}});
     }
   }
+  std::vector<float> angles;
+  for (std::size_t node = 0; node < radar::FaceReflectivity::node_count; ++node)
+    angles.push_back(static_cast<float>(radar::FaceReflectivity::off_normal_rad(node)));
+  const std::size_t off_normal = accessors.add(std::span<const float>(angles), of_floats, "SCALAR");
   for (const FaceMaterial& material : buildings.materials) {
     Json by_frequency = Json::array();
     for (const radar::FaceReflectivity& reflectivity : material.reflectivity)
       by_frequency.push_back(accessors.add(std::span(reflectivity.at_node), of_floats, "VEC4"));
     materials.push_back(
-        {{"name", material.name},
-         {"extras", {{reflectivity_key, by_frequency}, {step_key, radar::FaceReflectivity::step_deg}}}});
+        {{"name", material.name}, {"extras", {{reflectivity_key, by_frequency}, {angles_key, off_normal}}}});
   }
   Json document = {{"asset", {{"version", "2.0"}, {"generator", "Sigmascape"}}}};
   if (!primitives.empty()) {
@@ -124,7 +127,7 @@ std::string glb_bytes(const Buildings& buildings) {
     document["scenes"].push_back(Json::object({{"nodes", Json::array({0})}}));
   }
   if (!materials.empty()) document["materials"] = materials;
-  if (!accessors.bytes().empty()) accessors.put_into(document);
+  accessors.put_into(document);
 
   std::string chunks;
   append_chunk(chunks, json_chunk, written(document, -1), ' ');

@@ -11,7 +11,7 @@ namespace sigmascape::atlas {
 /// The buildings of an atlas that keeps them apart: `buildings.glb` in its folder, binary glTF 2.0, and the item beside
 /// it that vouches for it, `buildings.json`. One mesh, a primitive a material, under a node that turns east, north, up
 /// into glTF's axes; each material names in its extras the accessor of what it returns at each frequency, four floats
-/// (vv, hh, hv, Re⟨S_VV S_HH*⟩) a node of radar::FaceReflectivity. docs/store.md.
+/// (vv, hh, hv, Re⟨S_VV S_HH*⟩) a node of radar::FaceReflectivity, and that of the nodes' angles. docs/store.md.
 inline constexpr std::string_view buildings_name = "buildings.glb";
 
 /// The setting of a store whose buildings are kept apart, and what it says then.

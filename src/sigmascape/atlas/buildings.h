@@ -26,7 +26,10 @@ struct Buildings {
   std::vector<FaceMaterial> materials;
 
   [[nodiscard]] std::size_t memory_bytes() const {
-    return vertices.size() * sizeof(Vec3f) + triangles.size() * (sizeof(triangles[0]) + sizeof(material_of[0]));
+    std::size_t bytes = vertices.size() * sizeof(Vec3f) + triangles.size() * (sizeof(triangles[0]) + 1);
+    for (const FaceMaterial& material : materials)
+      bytes += material.reflectivity.size() * radar::FaceReflectivity::node_count * sizeof(radar::Channels);
+    return bytes;
   }
 };
 

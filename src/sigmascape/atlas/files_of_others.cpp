@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <system_error>
+#include <vector>
 
 #include "sigmascape/atlas/building_file.h"
 #include "sigmascape/atlas/ground_layers.h"
@@ -51,9 +52,11 @@ bool is_ground(const std::filesystem::path& folder) {
 
 }  // namespace
 
-std::optional<std::string> file_of_others(const std::filesystem::path& folder) {
+std::optional<std::string> file_of_others(const std::filesystem::path& folder, const AtlasDescription& description) {
   const auto is_there = [&](const std::filesystem::path& name) { return !geo::is_absent(folder / name); };
-  for (const std::filesystem::path file : {terrain_name, buildings_name}) {
+  std::vector<std::filesystem::path> files = {terrain_name};
+  if (keeps_buildings_apart(description)) files.emplace_back(buildings_name);
+  for (const std::filesystem::path& file : files) {
     const std::filesystem::path item = item_path(file);
     for (const std::filesystem::path& name : {file, item}) {
       if (is_there(name) && !is_item(folder / item)) return name.string();

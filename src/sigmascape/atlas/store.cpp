@@ -120,7 +120,7 @@ std::optional<Store> Store::find(const std::filesystem::path& folder, const Atla
   if (is_none_there()) {
     if (!geo::is_absent(folder / "dataset.json"))
       throw Error(folder.string(), "holds a dataset", "choose an empty folder");
-    const auto others = file_of_others(folder);
+    const auto others = file_of_others(folder, description);
     // Another process that began here meanwhile wrote its collection before all else.
     if (others && is_none_there()) {
       throw Error(folder.string(),

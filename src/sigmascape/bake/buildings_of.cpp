@@ -19,8 +19,7 @@ namespace {
 radar::FaceReflectivity reflectivity_of(const scatter::SurfaceModel& surface) {
   radar::FaceReflectivity reflectivity;
   for (std::size_t node = 0; node < radar::FaceReflectivity::node_count; ++node) {
-    const double off_normal_deg = radar::FaceReflectivity::step_deg * static_cast<double>(node);
-    const double grazing_rad = radians_from_deg(90.0 - off_normal_deg);
+    const double grazing_rad = 0.5 * pi - radar::FaceReflectivity::off_normal_rad(node);
     reflectivity.at_node.push_back(grazing_rad > 0.0 ? scatter::surface_sigma0(surface, grazing_rad)
                                                      : radar::Channels{});
   }

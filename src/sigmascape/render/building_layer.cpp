@@ -26,6 +26,8 @@ constexpr double cluster_m = 32.0;
 
 /// Beyond this many times its height above the ground nothing lies over to a radar: at 85°.
 constexpr double farthest_layover = 11.4;
+/// Nor does anything from farther away than this.
+constexpr double widest_layover_m = 1000.0;
 
 /// Of the squares of a level that meet an area, and one more all around.
 radar::GroundGrid squares_over(const radar::Rectangle& area, double side_m) {
@@ -41,7 +43,7 @@ Vec3d middle_of(const Corners& corners) {
   return (corners[0] + corners[1] + corners[2]) * (1.0 / 3.0);
 }
 
-/// Halves a triangle across its longest edge, and these again, until no edge is longer; calls `visit(middle, area_m2)`
+/// Halves a triangle across its longest edge, and these again, until no edge is longer; calls `visit(corners, area_m2)`
 /// for each piece.
 template <typename Visit>
 void for_each_piece(const Corners& corners, double area_m2, double longest_m, const Visit& visit) {
@@ -50,11 +52,17 @@ void for_each_piece(const Corners& corners, double area_m2, double longest_m, co
   for (const std::size_t other : {std::size_t{1}, std::size_t{2}}) {
     if (dot(edge_of(other), edge_of(other)) > dot(edge_of(longest), edge_of(longest))) longest = other;
   }
-  if (dot(edge_of(longest), edge_of(longest)) <= longest_m * longest_m) return visit(middle_of(corners), area_m2);
+  if (dot(edge_of(longest), edge_of(longest)) <= longest_m * longest_m) return visit(corners, area_m2);
   const Vec3d from = corners[longest], to = corners[(longest + 1) % 3], apex = corners[(longest + 2) % 3];
   const Vec3d half_way = (from + to) * 0.5;
   for_each_piece({from, half_way, apex}, 0.5 * area_m2, longest_m, visit);
   for_each_piece({half_way, to, apex}, 0.5 * area_m2, longest_m, visit);
+}
+
+radar::Rectangle plan_of(const Corners& corners) {
+  radar::Rectangle plan{corners[0].x, corners[0].y, corners[0].x, corners[0].y};
+  for (const Vec3d& corner : corners) plan = radar::with_point(plan, {corner.x, corner.y});
+  return plan;
 }
 
 /// A face as it stands.
@@ -74,12 +82,13 @@ struct Face {
   std::uint8_t material;
 };
 
-/// Numbers of faces by the square of `cluster_m` that they stand in, of those whose echoes may lie in an area.
+/// Numbers of faces by the square of `cluster_m` that their middles lie in, of those that reach into a place.
 std::vector<std::vector<std::uint32_t>> clusters_of(const atlas::Buildings& buildings, const radar::Rectangle& about) {
   std::map<std::pair<std::int64_t, std::int64_t>, std::vector<std::uint32_t>> by_square;
   for (std::size_t number = 0; number < buildings.triangles.size(); ++number) {
-    const Vec3d middle = Face(buildings, number).middle();
-    if (!about.contains({middle.x, middle.y})) continue;
+    const Face face(buildings, number);
+    if (!radar::meet(plan_of(face.corners), about)) continue;
+    const Vec3d middle = face.middle();
     by_square[{static_cast<std::int64_t>(std::floor(middle.x / cluster_m)),
                static_cast<std::int64_t>(std::floor(middle.y / cluster_m))}]
         .push_back(static_cast<std::uint32_t>(number));
@@ -118,25 +127,37 @@ Vec2d landing_of(Vec3d point, Vec3d radar, const terrain::HeightField& terrain) 
   const double above_m = point.z - terrain.height_at(foot);
   const double most_m = farthest_layover * std::max(std::abs(above_m), 1.0);
   double over_m = above_m * away.z / distance_m;  // over level ground, from afar
-  constexpr int steps = 3;                        // each leaves of the error what the slope is to the line of sight
+  constexpr int steps = 4;                        // of Newton's, with the slope of the ground
   for (int step = 0; step < steps; ++step) {
     const Vec2d place = foot + towards * over_m;
+    const Vec3d normal = terrain.normal_at(place);
+    const double rise = -(normal.x * towards.x + normal.y * towards.y) / normal.z;
     const double left_m = distance_m - over_m, down_m = radar.z - terrain.height_at(place);
     const double there_m = std::hypot(left_m, down_m);
-    over_m = std::clamp(over_m + (there_m - range_m) * there_m / std::max(left_m, 0.05 * there_m), -most_m, most_m);
+    over_m += (there_m - range_m) * there_m / std::max(left_m + down_m * rise, 0.05 * there_m);
+    over_m = std::clamp(over_m, -most_m, most_m);
   }
   return foot + towards * over_m;
 }
 
-/// Whether echoes of a face may belong to a grid: where those of its corners do holds all between them, but for what
-/// the ground rises and falls there.
-bool may_land_in(const radar::GroundGrid& grid, const Face& face, Vec3d radar, const terrain::HeightField& terrain) {
-  const Vec2d first = landing_of(face.corners[0], radar, terrain);
+/// Whether echoes of a part of a face may belong to a grid: where those of its corners do holds all between them, but
+/// for what the ground rises and falls there.
+bool may_land_in(const radar::GroundGrid& grid, const Corners& corners, Vec3d radar,
+                 const terrain::HeightField& terrain) {
+  const Vec2d first = landing_of(corners[0], radar, terrain);
   radar::Rectangle box{first.x, first.y, first.x, first.y};
-  for (const Vec3d& corner : {face.corners[1], face.corners[2]})
-    box = radar::with_point(box, landing_of(corner, radar, terrain));
+  for (const Vec3d& corner : {corners[1], corners[2]}) box = radar::with_point(box, landing_of(corner, radar, terrain));
   return radar::meet(radar::widened(box, 2.0 * grid.cell_m + 0.25 * std::max(box.width_m(), box.height_m())),
                      grid.extent());
+}
+
+/// An area, and what lies before it as seen from a radar as far as lines of sight are marched along.
+radar::Rectangle with_what_lies_before(const radar::Rectangle& area, Vec3d radar) {
+  const Vec2d away = Vec2d{radar.x, radar.y} - area.centre();
+  const double distance_m = length(away);
+  if (distance_m == 0.0) return area;
+  return radar::joined(area,
+                       radar::moved(area, away * (std::min(distance_m, FaceSight::longest_march_m) / distance_m)));
 }
 
 /// Share of the next square in what is so wide, in squares, so far on the way from one's middle to its.
@@ -180,27 +201,37 @@ BuildingLayer::BuildingLayer(const atlas::Atlas& atlas, const terrain::HeightFie
   const atlas::GroundLayers& layers = *atlas.ground_layers();
   const atlas::Buildings& buildings = *layers.buildings;
   grid_ = squares_over(request.area, atlas.patches().texel_m * std::exp2(std::floor(request.level)));
-  const FaceSight sight(layers.obstacles, terrain, request.earth);
+  const radar::Rectangle about = radar::widened(grid_.extent(), widest_layover_m);
+  const FaceSight sight(layers.obstacles, terrain,
+                        with_what_lies_before(about, request.vantage.place_for(about.centre())), request.earth,
+                        request.threads);
   const auto reflectivity = reflectivity_at(buildings, atlas.aspects(), request.frequency_hz);
-  const auto clusters = clusters_of(buildings, radar::widened(grid_.extent(), farthest_layover * sight.tallest_m()));
+  const auto clusters = clusters_of(buildings, about);
   receiver::GroundAccumulator sums(grid_);
   parallel_for(clusters.size(), thread_count(request.threads), [&](std::size_t cluster, unsigned) {
-    std::optional<double> clear_above_m;
+    std::optional<double> clear_of_cluster_m;
     for (const std::uint32_t number : clusters[cluster]) {
       const Face face(buildings, number);
       const Vec3d middle = face.middle();
       const Vec3d radar = request.vantage.place_for({middle.x, middle.y});
-      const bool looks_away = dot(face.normal, radar - middle) <= 0.0;
-      if (looks_away || !may_land_in(grid_, face, radar, terrain)) continue;
-      if (!clear_above_m) clear_above_m = sight.clear_above_m({middle.x, middle.y}, radar);
-      for_each_piece(face.corners, face.area_m2, longest_piece * grid_.cell_m, [&](Vec3d point, double area_m2) {
-        Vec3d away = radar - point;
-        away.z -= request.earth.drop_m(std::hypot(away.x, away.y));
-        const radar::Channels returned = reflectivity[face.material].at(dot(face.normal, normalized(away)));
-        const Vec2d place = landing_of(point, radar, terrain);
-        if (returned == radar::Channels{} || !grid_.extent().contains(place)) return;
-        const double passed = sight.part_passed(point, face.normal, radar, *clear_above_m);
-        if (passed > 0.0) add(returned * static_cast<float>(passed * area_m2), place, grid_, sums);
+      if (dot(face.normal, radar - middle) <= 0.0) continue;
+      // Parts of a large face are not hidden together.
+      for_each_piece(face.corners, face.area_m2, cluster_m, [&](const Corners& part, double part_m2) {
+        if (!may_land_in(grid_, part, radar, terrain)) return;
+        const Vec3d there = middle_of(part);
+        const bool is_whole = part == face.corners;
+        if (is_whole && !clear_of_cluster_m) clear_of_cluster_m = sight.clear_above_m({there.x, there.y}, radar);
+        const double clear_m = is_whole ? *clear_of_cluster_m : sight.clear_above_m({there.x, there.y}, radar);
+        for_each_piece(part, part_m2, longest_piece * grid_.cell_m, [&](const Corners& piece, double area_m2) {
+          const Vec3d point = middle_of(piece);
+          Vec3d away = radar - point;
+          away.z -= request.earth.drop_m(std::hypot(away.x, away.y));
+          const radar::Channels returned = reflectivity[face.material].at(dot(face.normal, normalized(away)));
+          const Vec2d place = landing_of(point, radar, terrain);
+          if (returned == radar::Channels{} || !grid_.extent().contains(place)) return;
+          const double passed = sight.part_passed(point, face.normal, radar, clear_m);
+          if (passed > 0.0) add(returned * static_cast<float>(passed * area_m2), place, grid_, sums);
+        });
       });
     }
   });

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
+#include "sigmascape/base/parallel.h"
 #include "sigmascape/terrain/obstacle_sweep.h"
 
 namespace sigmascape::render {
@@ -12,9 +14,9 @@ namespace {
 /// Squares along a side of a block that is passed over at once where a line of sight runs above it.
 constexpr std::size_t block_squares = 8;
 
-/// Lines of sight are marched along until they have risen by the tallest obstacle, or for so far; what lies beyond is
-/// asked for once for many of them.
-constexpr double longest_march_m = 500.0, least_march_m = 50.0;
+/// Lines of sight are marched along until they have risen by the tallest obstacle; what lies beyond is asked for once
+/// for many of them.
+constexpr double least_march_m = 50.0;
 
 /// How far before a wall the march begins, in squares: beyond those of its own house, which are the ones whose middles
 /// lie within and reach half a diagonal, 0.71, beyond it at most.
@@ -23,6 +25,11 @@ constexpr double before_wall_squares = 0.75;
 constexpr double wall_normal_z = 0.5;
 /// Squares of a roof know its height no better.
 constexpr double roof_tolerance_m = 0.3;
+
+/// By how much squares over sloping ground, or of a roof that slopes, may be higher than what stands in them.
+double rise_across(Vec3d normal) {
+  return (std::abs(normal.x) + std::abs(normal.y)) / normal.z;
+}
 
 }  // namespace
 
@@ -43,6 +50,10 @@ struct FaceSight::Way {
   [[nodiscard]] double height_at(double d) const {
     return start.z + d * rise - 0.5 * curvature_per_m * d * (length_m - d);
   }
+  /// Whether it is above that height from there on.
+  [[nodiscard]] bool has_left(double height_m, double d) const {
+    return height_at(d) > height_m && rise >= 0.5 * curvature_per_m * (length_m - 2.0 * d);
+  }
 
   Vec3d start;
   double curvature_per_m, length_m, rise;
@@ -50,19 +61,32 @@ struct FaceSight::Way {
 };
 
 FaceSight::FaceSight(const radar::ObstacleMap& obstacles, const terrain::HeightField& terrain,
-                     const radar::CurvedEarth& earth)
+                     const radar::Rectangle& about, const radar::CurvedEarth& earth, unsigned threads)
     : obstacles_(obstacles), terrain_(terrain), earth_(earth) {
   const radar::GroundGrid& grid = obstacles.grid;
-  block_top_m_ = Array2D<float>((grid.columns + block_squares - 1) / block_squares,
-                                (grid.rows + block_squares - 1) / block_squares, std::numeric_limits<float>::lowest());
-  for (std::size_t row = 0; row < grid.rows; ++row) {
-    for (std::size_t column = 0; column < grid.columns; ++column) {
-      const float top_m = obstacles.obstacles(column, row).top_m();
-      tallest_m_ = std::max(tallest_m_, static_cast<double>(top_m));
-      float& block_m = block_top_m_(column / block_squares, row / block_squares);
-      block_m = std::max(block_m, static_cast<float>(terrain.height_at(grid.centre_of(column, row))) + top_m);
+  const auto block_of = [&](double squares, std::size_t most) {
+    return static_cast<std::size_t>(std::clamp(squares, 0.0, static_cast<double>(most)) / block_squares);
+  };
+  first_column_ = block_of((about.west_m - grid.west_m) / grid.cell_m, grid.columns);
+  first_row_ = block_of((grid.north_m - about.north_m) / grid.cell_m, grid.rows);
+  const std::size_t end_column = block_of((about.east_m - grid.west_m) / grid.cell_m + block_squares, grid.columns + 7);
+  const std::size_t end_row = block_of((grid.north_m - about.south_m) / grid.cell_m + block_squares, grid.rows + 7);
+  block_top_m_ = Array2D<float>(end_column - std::min(first_column_, end_column),
+                                end_row - std::min(first_row_, end_row), std::numeric_limits<float>::lowest());
+  std::vector<float> tallest_m(block_top_m_.rows(), 0.0F);
+  parallel_for(block_top_m_.rows(), thread_count(threads), [&](std::size_t block_row, unsigned) {
+    const std::size_t first = (first_row_ + block_row) * block_squares;
+    for (std::size_t row = first; row < std::min(first + block_squares, grid.rows); ++row) {
+      for (std::size_t column = first_column_ * block_squares;
+           column < std::min(end_column * block_squares, grid.columns); ++column) {
+        const float top_m = obstacles.obstacles(column, row).top_m();
+        tallest_m[block_row] = std::max(tallest_m[block_row], top_m);
+        float& block_m = block_top_m_(column / block_squares - first_column_, block_row);
+        block_m = std::max(block_m, static_cast<float>(terrain.height_at(grid.centre_of(column, row))) + top_m);
+      }
     }
-  }
+  });
+  for (const float row_m : tallest_m) tallest_m_ = std::max(tallest_m_, static_cast<double>(row_m));
   highest_m_ = static_cast<double>(terrain.highest_m()) + tallest_m_;
 }
 
@@ -70,14 +94,26 @@ double FaceSight::march_m(double rise) const {
   return std::clamp(tallest_m_ / std::max(rise, 1e-3), least_march_m, longest_march_m);
 }
 
-bool FaceSight::is_free_of_block(Vec2d place, double height_m) const {
+FaceSight::Block FaceSight::block_at(const Way& way, double d) const {
   const radar::GroundGrid& grid = obstacles_.grid;
   const double side_m = grid.cell_m * static_cast<double>(block_squares);
-  const double column = (place.x - grid.west_m) / side_m, row = (grid.north_m - place.y) / side_m;
-  if (column < 0.0 || row < 0.0 || column >= static_cast<double>(block_top_m_.columns()) ||
-      row >= static_cast<double>(block_top_m_.rows()))
-    return false;
-  return height_m > static_cast<double>(block_top_m_(static_cast<std::size_t>(column), static_cast<std::size_t>(row)));
+  const Vec2d place = way.place_at(d);
+  const double across = (place.x - grid.west_m) / side_m, down = (grid.north_m - place.y) / side_m;
+  const double column = std::floor(across) - static_cast<double>(first_column_),
+               row = std::floor(down) - static_cast<double>(first_row_);
+  if (!(column >= 0.0 && row >= 0.0 && column < static_cast<double>(block_top_m_.columns()) &&
+        row < static_cast<double>(block_top_m_.rows())))
+    return {std::numeric_limits<double>::infinity(), d};
+  const auto way_out_m = [side_m](double position, double direction) {
+    const double part = position - std::floor(position);
+    if (direction == 0.0) return std::numeric_limits<double>::infinity();
+    return (direction > 0.0 ? 1.0 - part : part) * side_m / std::abs(direction);
+  };
+  const double out_m = std::min(way_out_m(across, way.direction.x), way_out_m(down, -way.direction.y));
+  // Squares know the ground in their middles alone: a metre stands for what it rises between them.
+  const double top_m =
+      1.0 + static_cast<double>(block_top_m_(static_cast<std::size_t>(column), static_cast<std::size_t>(row)));
+  return {top_m, d + out_m};
 }
 
 double FaceSight::clear_above_m(Vec2d place, Vec3d radar) const {
@@ -85,15 +121,22 @@ double FaceSight::clear_above_m(Vec2d place, Vec3d radar) const {
   const Way way({place.x, place.y, ground_m}, radar, earth_);
   const double stride_m = std::min(obstacles_.grid.cell_m, terrain_.spacing_m);
   double clear_m = std::numeric_limits<double>::lowest();
-  for (double d = march_m(way.rise); d < way.length_m; d += stride_m) {
+  // Raising the point by one metre raises its line by what is left of the way.
+  const auto needed_m = [&](double top_m, double d) {
+    return ground_m + (top_m - way.height_at(d)) / (1.0 - d / way.length_m);
+  };
+  double d = march_m(way.rise);
+  while (d < way.length_m && !way.has_left(highest_m_, d) && terrain_.extent().contains(way.place_at(d))) {
+    const Block block = block_at(way, d);
+    const double end_m = std::min(block.end_m, 0.999 * way.length_m);
+    if (end_m > d && std::max(needed_m(block.top_m, d), needed_m(block.top_m, end_m)) <= clear_m) {
+      d = end_m + 1e-3 * stride_m;
+      continue;
+    }
     const Vec2d under = way.place_at(d);
-    // A line from the ground passes above all that lies ahead.
-    if (earth_.curvature_per_m() == 0.0 && way.height_at(d) > highest_m_) break;
-    if (!terrain_.extent().contains(under)) break;
     const double top_m = terrain_.height_at(under) + static_cast<double>(obstacles_.at(under).solid_top_m);
-    // Raising the point by one metre raises its line by what is left of the way.
-    const double left = 1.0 - d / way.length_m;
-    clear_m = std::max(clear_m, ground_m + (top_m - way.height_at(d)) / left);
+    clear_m = std::max(clear_m, needed_m(top_m, d));
+    d += stride_m;
   }
   return clear_m;
 }
@@ -101,30 +144,37 @@ double FaceSight::clear_above_m(Vec2d place, Vec3d radar) const {
 double FaceSight::part_passed(Vec3d point, Vec3d normal, Vec3d radar, double clear_above_m) const {
   if (point.z <= clear_above_m) return 0.0;
   const double square_m = obstacles_.grid.cell_m;
-  const double across = std::hypot(normal.x, normal.y);
   Way way(point, radar, earth_);
   double tolerance_m = 0.0;
   if (normal.z < wall_normal_z) {
-    way.go_on_beside(Vec2d{normal.x, normal.y} * (before_wall_squares * square_m / across));
+    // Houses stand on the lowest of their ground: what of a wall is below the ground.
+    if (point.z <= terrain_.height_at({point.x, point.y})) return 0.0;
+    const double across = std::hypot(normal.x, normal.y);
+    if (across > 0.0) way.go_on_beside(Vec2d{normal.x, normal.y} * (before_wall_squares * square_m / across));
   } else {
-    tolerance_m = roof_tolerance_m + 0.5 * square_m * across / normal.z;
+    const double of_ground = rise_across(terrain_.normal_at({point.x, point.y}));
+    tolerance_m = roof_tolerance_m + square_m * (0.5 * rise_across(normal) + of_ground);
   }
   const double end_m = std::min(march_m(way.rise), way.length_m), half_fall_m = 0.5 * square_m * std::abs(way.rise);
   double depth = 0.0;
-  for (double d = 0.0; d < end_m; d += square_m) {
+  for (double d = 0.0; d < end_m && !way.has_left(highest_m_, d);) {
+    const Block block = block_at(way, d);
+    const double last_m = std::min(block.end_m, end_m);
+    if (std::min(way.height_at(d), way.height_at(last_m)) - half_fall_m > block.top_m) {
+      d += square_m * std::max(1.0, std::floor((last_m - d) / square_m));
+      continue;
+    }
     const Vec2d under = way.place_at(d);
-    const double height_m = way.height_at(d);
-    if (earth_.curvature_per_m() == 0.0 && height_m > highest_m_) break;
-    if (is_free_of_block(under, height_m - half_fall_m)) continue;
     const radar::Obstacle obstacle = obstacles_.at(under);
-    const double above_m = height_m - terrain_.height_at(under);
-    // Where it begins, what of a wall is below the ground or within another house is so too.
-    if (above_m < static_cast<double>(obstacle.solid_top_m) - tolerance_m || above_m <= 0.0) return 0.0;
+    const double above_m = way.height_at(d) - terrain_.height_at(under);
+    // Where it begins, what of a wall is within another house is so too.
+    if (above_m < static_cast<double>(obstacle.solid_top_m) - tolerance_m || above_m + tolerance_m <= 0.0) return 0.0;
     if (obstacle.crown_top_m > 0.0F) {
       const double way_m = (d == 0.0 ? 0.5 : 1.0) * square_m * std::sqrt(1.0 + way.rise * way.rise);
       depth += static_cast<double>(obstacle.crown_extinction_per_m) * way_m *
                terrain::part_within(obstacle, above_m, half_fall_m);
     }
+    d += square_m;
   }
   return std::exp(-depth);
 }

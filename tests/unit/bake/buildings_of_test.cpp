@@ -9,6 +9,7 @@
 #include "sigmascape/bake/bake.h"
 #include "sigmascape/base/error.h"
 #include "sigmascape/base/units.h"
+#include "sigmascape/scatter/surface_sigma0.h"
 #include "sigmascape/scene/building_extrusion.h"
 #include "sigmascape/scene/imported_mesh.h"
 
@@ -49,6 +50,21 @@ TEST(BuildingsOf, ReturnByAngleWhatTheirMaterialsDo) {
     EXPECT_NEAR(kept.materials[1].reflectivity[0].at(cosine).hh, 4.0 * 0.2 * cosine * cosine, 1e-4) << off_deg;
   }
   EXPECT_EQ(kept.materials[0].reflectivity[0].at(-0.1), radar::Channels{});
+}
+
+// A mirror of a thousandth, whose lobe is a tenth of a degree wide: its power over all angles is that of its own BRDF.
+TEST(BuildingsOf, ReturnTheLobesOfNarrowMirrors) {
+  scene::Scene scene = house_on_a_hill();
+  for (scatter::Material& material : scene.materials)
+    material.model = scatter::CookTorranceParameters{{5.0, 0.0, 0.01, 0.0}, 0.001};
+  const atlas::Buildings kept = buildings_of(scene, frequencies_hz);
+  const scatter::SurfaceModel surface(scene.materials[1], 10e9);
+  double kept_sum = 0.0, own_sum = 0.0;
+  for (double off_rad = 1e-5; off_rad < 0.01; off_rad += 1e-5) {
+    kept_sum += static_cast<double>(kept.materials[0].reflectivity[0].at(std::cos(off_rad)).vv) * off_rad;
+    own_sum += static_cast<double>(scatter::surface_sigma0(surface, 0.5 * pi - off_rad).vv) * off_rad;
+  }
+  EXPECT_NEAR(db_from_linear(kept_sum / own_sum), 0.0, 0.1);
 }
 
 // As any program that knows glTF reads them, y up and z to the south.

@@ -11,6 +11,7 @@ namespace sigmascape::render {
 namespace {
 
 constexpr double square_m = 2.0, half_m = 512.0;
+constexpr radar::Rectangle everywhere{-half_m, -half_m, half_m, half_m};
 constexpr Vec3d south{0.0, -1.0, 0.0}, up{0.0, 0.0, 1.0};
 
 terrain::HeightField ground(const std::function<double(Vec2d)>& height_m) {
@@ -57,9 +58,11 @@ double passed(const FaceSight& sight, Vec3d point, Vec3d normal, Vec3d radar) {
 TEST(FaceSight, AFreeWallIsSeenAndOneBelowTheGroundIsNot) {
   const auto terrain = level_ground();
   const auto bare = obstacles([](Vec2d) { return radar::Obstacle{}; });
-  const FaceSight sight(bare, terrain);
-  EXPECT_EQ(passed(sight, {0.0, 0.0, 5.0}, south, radar_at(10.0)), 1.0);
-  EXPECT_EQ(passed(sight, {0.0, 0.0, -0.5}, south, radar_at(10.0)), 0.0);
+  const FaceSight sight(bare, terrain, everywhere);
+  for (const double elevation_deg : {1.0, 10.0, 37.0, 80.0}) {
+    EXPECT_EQ(passed(sight, {0.0, 0.0, 0.1}, south, radar_at(elevation_deg)), 1.0) << elevation_deg;
+    EXPECT_EQ(passed(sight, {0.0, 0.0, -0.1}, south, radar_at(elevation_deg)), 0.0) << elevation_deg;
+  }
 }
 
 // A square of which a house covers half is as high as its roof, before its walls too.
@@ -67,18 +70,41 @@ TEST(FaceSight, AHouseDoesNotHideItsOwnWallsAndRoof) {
   const auto terrain = level_ground();
   for (double edge_m = 0.1; edge_m < 4.0; edge_m += 0.4) {
     const auto house = obstacles(solid_bar(edge_m, edge_m + 20.0, 12.0F));
-    const FaceSight sight(house, terrain);
+    const FaceSight sight(house, terrain, everywhere);
     for (const double height_m : {0.5, 6.0, 11.5})
       EXPECT_EQ(passed(sight, {0.0, edge_m, height_m}, south, radar_at(8.0)), 1.0) << edge_m << ", " << height_m;
     EXPECT_EQ(passed(sight, {0.0, edge_m + 10.0, 12.0}, up, radar_at(8.0)), 1.0);
   }
 }
 
+// Squares know the top above their own ground: uphill in its square a roof that lies level is below it.
+TEST(FaceSight, AHouseOnASlopeDoesNotHideItsRoof) {
+  for (const double slope : {0.1, 0.3, 0.6}) {
+    const auto terrain = ground([slope](Vec2d place) { return slope * place.y; });
+    const auto house = obstacles([slope](Vec2d place) {
+      const bool within = std::abs(place.x) < 10.0 && std::abs(place.y) < 7.0;
+      return radar::Obstacle{.solid_top_m = within ? static_cast<float>(9.0 - slope * place.y) : 0.0F};
+    });
+    const FaceSight sight(house, terrain, everywhere);
+    for (double y = -6.9; y < 6.9; y += 0.37)
+      EXPECT_EQ(passed(sight, {0.3, y, 9.0}, up, radar_at(30.0)), 1.0) << slope << ", " << y;
+  }
+}
+
+// A radar below a house sees no floor through the ground.
+TEST(FaceSight, AnUndersideOnTheGroundIsNotSeen) {
+  const auto terrain = ground([](Vec2d place) { return 0.2 * place.y; });
+  const auto house = obstacles(solid_bar(-10.0, 10.0, 8.0F));
+  const FaceSight sight(house, terrain, everywhere);
+  const Vec3d below{0.0, -400.0, -60.0};
+  EXPECT_EQ(passed(sight, {0.0, 0.0, -2.0}, {0.0, 0.0, -1.0}, below), 0.0);
+}
+
 // 40 m behind the far edge of a bar of 10 m: 10 − 40 tan ψ of it is hidden, to half a square's worth.
 TEST(FaceSight, ABarHidesAWallUpToTheLineOfSightOverIt) {
   const auto terrain = level_ground();
   const auto bar = obstacles(solid_bar(-60.0, -40.0, 10.0F));
-  const FaceSight sight(bar, terrain);
+  const FaceSight sight(bar, terrain, everywhere);
   for (const double elevation_deg : {3.0, 7.0, 12.0}) {
     const double rise = std::tan(radians_from_deg(elevation_deg));
     const double hidden_m = 10.0 - 40.0 * rise, doubt_m = square_m * rise + 0.05;
@@ -94,7 +120,7 @@ TEST(FaceSight, ARidgeFarAwayHidesWhatLiesBelowTheLineOverIt) {
   const auto none = obstacles([](Vec2d) { return radar::Obstacle{}; });
   const auto few = obstacles(solid_bar(100.0, 110.0, 8.0F));
   for (const radar::ObstacleMap* map : {&none, &few}) {
-    const FaceSight sight(*map, terrain);
+    const FaceSight sight(*map, terrain, everywhere);
     const Vec3d radar = radar_at(5.0);
     double hidden_m = 0.0;
     for (double y = -512.0; y < 0.0; y += 0.1)
@@ -113,7 +139,7 @@ TEST(FaceSight, ACrownWeakensByTheWayWithinIt) {
     return within ? radar::Obstacle{.crown_base_m = 4.0F, .crown_top_m = 9.0F, .crown_extinction_per_m = 0.1F}
                   : radar::Obstacle{};
   });
-  const FaceSight sight(crown, terrain);
+  const FaceSight sight(crown, terrain, everywhere);
   const double rise = std::tan(radians_from_deg(5.0)), slant = std::hypot(1.0, rise);
   EXPECT_NEAR(passed(sight, {0.0, 0.0, 4.0}, south, radar_at(5.0)), std::exp(-0.1 * 20.0 * slant), 0.01);
   // From 6 m the line leaves through the top, 3 m / tan ψ away: of the crown the nearest 14.3 m.
@@ -121,12 +147,24 @@ TEST(FaceSight, ACrownWeakensByTheWayWithinIt) {
   EXPECT_EQ(passed(sight, {0.0, 0.0, 9.0}, south, radar_at(5.0)), 1.0);
 }
 
+// 200 m of forest from 300 m before a wall on, all below its tops.
+TEST(FaceSight, AForestFarAwayWeakensToo) {
+  const auto terrain = level_ground();
+  const auto forest = obstacles([](Vec2d place) {
+    const bool within = place.y > -500.0 && place.y < -300.0;
+    return within ? radar::Obstacle{.crown_base_m = 2.0F, .crown_top_m = 20.0F, .crown_extinction_per_m = 0.02F}
+                  : radar::Obstacle{};
+  });
+  const FaceSight sight(forest, terrain, everywhere);
+  EXPECT_NEAR(passed(sight, {0.0, 0.0, 3.0}, south, radar_at(1.0)), std::exp(-0.02 * 200.0), 0.003);
+}
+
 // Over 4/3 of the Earth's radius 60 km of sea bulge by d₁ d₂ / (2 k R) between a radar and a wall.
 TEST(FaceSight, TheSeaBulgesBetweenThem) {
   const auto terrain = level_ground();
   const auto bare = obstacles([](Vec2d) { return radar::Obstacle{}; });
   const radar::CurvedEarth earth;
-  const FaceSight flat(bare, terrain), curved(bare, terrain, earth);
+  const FaceSight flat(bare, terrain, everywhere), curved(bare, terrain, everywhere, earth);
   const Vec3d grazing{0.0, -60e3, 20.0};
   EXPECT_EQ(passed(flat, {0.0, 0.0, 1.0}, south, grazing), 1.0);
   EXPECT_EQ(passed(curved, {0.0, 0.0, 1.0}, south, grazing), 0.0);
