@@ -231,7 +231,9 @@ void Measurement::make_ready() {
       methods_.back().baked_samples = 0;
     }
   }
-  for (const std::uint32_t samples : ResultsPlan::few_traced_samples) methods_.push_back(from_few_rays(samples));
+  for (const std::uint32_t samples : ResultsPlan::few_traced_samples) {
+    if (samples < plan_.traced_samples) methods_.push_back(from_few_rays(samples));
+  }
 }
 
 void Measurement::compare_all() {
@@ -243,6 +245,7 @@ void Measurement::compare_all() {
   }
   // The bakes have found that the folder is of this scene.
   kept_.write();
+  adds_ways_ = is_truth_of_all_kept_there();
   std::size_t done = 0;
   for (const auto& [measured, view] : all) {
     compare_once(*measured, view);
@@ -264,7 +267,10 @@ std::string Measurement::machines() const {
 }
 
 void Measurement::compare_once(const MeasuredScene& measured, PlannedView view) {
-  if (const MeasuredView* kept = kept_.find(measured.name, view)) return compare_what_lacks(measured, *kept);
+  if (const MeasuredView* kept = kept_.find(measured.name, view)) {
+    if (adds_ways_) compare_what_lacks(measured, *kept);
+    return;
+  }
   // Maps of more rays serve as well, but on the grid, where looks are baked with as many.
   if (view.kind != ViewKind::OnGrid)
     view.traced_samples = std::max(view.traced_samples, samples_kept(measured, view, plan_, folder_ / "truth"));
@@ -272,10 +278,18 @@ void Measurement::compare_once(const MeasuredScene& measured, PlannedView view) 
   kept_.add({measured.name, view, machine_name(), std::exchange(results_, {})});
 }
 
-/// Ways that came after the view was measured, where its truth is there: of one that another folder has measured it is
-/// not.
+/// Of views that another folder has measured it is not there, and rows of ways that came since would be of fewer views
+/// than those beside them.
+bool Measurement::is_truth_of_all_kept_there() const {
+  const auto is_there = [&](const MeasuredScene& measured, const PlannedView& view) {
+    const MeasuredView* kept = kept_.find(measured.name, view);
+    return kept == nullptr || samples_kept(measured, kept->view, plan_, folder_ / "truth") >= kept->view.traced_samples;
+  };
+  return std::ranges::all_of(plan_.views, [&](const PlannedView& view) { return is_there(scene_, view); });
+}
+
+/// Ways that came after the view was measured.
 void Measurement::compare_what_lacks(const MeasuredScene& measured, MeasuredView kept) {
-  if (samples_kept(measured, kept.view, plan_, folder_ / "truth") < kept.view.traced_samples) return;
   std::vector<const ReadyMethod*> lacking;
   for (const ReadyMethod& method : methods_) {
     const bool is_there = std::ranges::any_of(kept.results, [&](const ViewResult& result) {

@@ -73,6 +73,7 @@ class Measurement {
   void make_ready();
   /// Of one that is kept what it lacks.
   void compare_once(const MeasuredScene& measured, PlannedView view);
+  [[nodiscard]] bool is_truth_of_all_kept_there() const;
   void compare_what_lacks(const MeasuredScene& measured, MeasuredView kept);
   [[nodiscard]] bool is_for(const MeasuredScene& measured, const ReadyMethod& method) const;
   /// Views that were not baked and whose traced maps do not agree, with as many rays as the plan has for them.
@@ -118,6 +119,7 @@ class Measurement {
   std::vector<ReadyMethod> methods_;
   std::vector<ViewResult> results_;
   std::set<std::string> machines_;
+  bool adds_ways_ = false;  ///< to views that are kept, where these lack some
 };
 
 }  // namespace sigmascape::cli

@@ -103,7 +103,7 @@ struct ResultsPlan {
   unsigned threads = 0;
 
   static constexpr double texel_m = 2000.0 / 1024.0;  ///< the paper's
-  /// Rays a 2 m cell of traced maps that are held against the truth as a way of their own.
+  /// Rays a 2 m cell of traced maps that are held against the truth as a way of their own, where it has more.
   static constexpr std::uint32_t few_traced_samples[] = {1, 4, 16, 64, 256};
 
   /// Rays a 2 m cell of one traced map of a view. Views that were baked are held to the highest aims and get as many
