@@ -245,7 +245,9 @@ void Measurement::compare_all() {
   }
   // The bakes have found that the folder is of this scene.
   kept_.write();
-  adds_ways_ = is_truth_of_all_kept_there();
+  if (!can_add_ways_to(all)) {
+    for (const auto& [measured, view] : all) leave_out_what_lacks(*measured, view);
+  }
   std::size_t done = 0;
   for (const auto& [measured, view] : all) {
     compare_once(*measured, view);
@@ -268,8 +270,7 @@ std::string Measurement::machines() const {
 
 void Measurement::compare_once(const MeasuredScene& measured, PlannedView view) {
   if (const MeasuredView* kept = kept_.find(measured.name, view)) {
-    if (adds_ways_) compare_what_lacks(measured, *kept);
-    return;
+    return compare_what_lacks(measured, *kept);
   }
   // Maps of more rays serve as well, but on the grid, where looks are baked with as many.
   if (view.kind != ViewKind::OnGrid)
@@ -278,18 +279,17 @@ void Measurement::compare_once(const MeasuredScene& measured, PlannedView view) 
   kept_.add({measured.name, view, machine_name(), std::exchange(results_, {})});
 }
 
-/// Of views that another folder has measured it is not there, and rows of ways that came since would be of fewer views
+/// Of views that another folder has measured truths are not there. Rows of ways that came since would be of fewer views
 /// than those beside them.
-bool Measurement::is_truth_of_all_kept_there() const {
-  const auto is_there = [&](const MeasuredScene& measured, const PlannedView& view) {
-    const MeasuredView* kept = kept_.find(measured.name, view);
-    return kept == nullptr || samples_kept(measured, kept->view, plan_, folder_ / "truth") >= kept->view.traced_samples;
-  };
-  return std::ranges::all_of(plan_.views, [&](const PlannedView& view) { return is_there(scene_, view); });
+bool Measurement::can_add_ways_to(const std::vector<std::pair<const MeasuredScene*, PlannedView>>& views) const {
+  return std::ranges::all_of(views, [&](const auto& each) {
+    const MeasuredView* kept = kept_.find(each.first->name, each.second);
+    return kept == nullptr ||
+           samples_kept(*each.first, kept->view, plan_, folder_ / "truth") >= kept->view.traced_samples;
+  });
 }
 
-/// Ways that came after the view was measured.
-void Measurement::compare_what_lacks(const MeasuredScene& measured, MeasuredView kept) {
+std::vector<const ReadyMethod*> Measurement::lacking_in(const MeasuredScene& measured, const MeasuredView& kept) const {
   std::vector<const ReadyMethod*> lacking;
   for (const ReadyMethod& method : methods_) {
     const bool is_there = std::ranges::any_of(kept.results, [&](const ViewResult& result) {
@@ -298,6 +298,23 @@ void Measurement::compare_what_lacks(const MeasuredScene& measured, MeasuredView
     });
     if (!is_there && is_for(measured, method)) lacking.push_back(&method);
   }
+  return lacking;
+}
+
+void Measurement::leave_out_what_lacks(const MeasuredScene& measured, const PlannedView& view) {
+  const MeasuredView* kept = kept_.find(measured.name, view);
+  if (kept == nullptr) return;
+  const std::vector<const ReadyMethod*> lacking = lacking_in(measured, *kept);
+  std::vector<ReadyMethod> all;
+  for (const ReadyMethod& method : methods_) {
+    if (std::ranges::find(lacking, &method) == lacking.end()) all.push_back(method);
+  }
+  methods_ = std::move(all);
+}
+
+/// Ways that came after the view was measured.
+void Measurement::compare_what_lacks(const MeasuredScene& measured, MeasuredView kept) {
+  const std::vector<const ReadyMethod*> lacking = lacking_in(measured, kept);
   if (lacking.empty()) return;
   const Truth truth = traced_truth(measured, kept.view, plan_, folder_ / "truth");
   for (const ReadyMethod* method : lacking) hold_against(truth, measured, kept.view, *method);

@@ -73,7 +73,11 @@ class Measurement {
   void make_ready();
   /// Of one that is kept what it lacks.
   void compare_once(const MeasuredScene& measured, PlannedView view);
-  [[nodiscard]] bool is_truth_of_all_kept_there() const;
+  [[nodiscard]] bool can_add_ways_to(const std::vector<std::pair<const MeasuredScene*, PlannedView>>& views) const;
+  [[nodiscard]] std::vector<const ReadyMethod*> lacking_in(const MeasuredScene& measured,
+                                                           const MeasuredView& kept) const;
+  /// From all views, what one that is kept lacks.
+  void leave_out_what_lacks(const MeasuredScene& measured, const PlannedView& view);
   void compare_what_lacks(const MeasuredScene& measured, MeasuredView kept);
   [[nodiscard]] bool is_for(const MeasuredScene& measured, const ReadyMethod& method) const;
   /// Views that were not baked and whose traced maps do not agree, with as many rays as the plan has for them.
@@ -119,7 +123,6 @@ class Measurement {
   std::vector<ReadyMethod> methods_;
   std::vector<ViewResult> results_;
   std::set<std::string> machines_;
-  bool adds_ways_ = false;  ///< to views that are kept, where these lack some
 };
 
 }  // namespace sigmascape::cli

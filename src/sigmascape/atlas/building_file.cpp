@@ -150,13 +150,18 @@ class GlbReader {
     binary_ = bytes.substr(second + of_chunk, number_at(bytes, second));
   }
 
-  [[nodiscard]] Buildings buildings() const {
+  /// Nothing when what materials return is told otherwise than here.
+  [[nodiscard]] std::optional<Buildings> buildings() const {
     Buildings all;
     for (const Json& material : document_.value("materials", Json::array())) {
       FaceMaterial& read = all.materials.emplace_back();
       read.name = material.at("name").get<std::string>();
-      for (const Json& number : material.at("extras").at(reflectivity_key))
+      const Json& extras = material.at("extras");
+      static_cast<void>(extras.at(angles_key));  // those of radar::FaceReflectivity, which files of no other kind have
+      for (const Json& number : extras.at(reflectivity_key)) {
         read.reflectivity.push_back({elements<radar::Channels>(number.get<std::size_t>())});
+        if (read.reflectivity.back().at_node.size() != radar::FaceReflectivity::node_count) return std::nullopt;
+      }
     }
     for (const Json& mesh : document_.value("meshes", Json::array())) {
       for (const Json& primitive : mesh.at("primitives")) {
@@ -216,7 +221,8 @@ Buildings read_buildings(const Store& atlas) {
   const std::string file = (atlas.folder() / buildings_name).string();
   const auto text = text_of(file).text;
   try {
-    if (text) return GlbReader(*text).buildings();
+    auto buildings = text ? GlbReader(*text).buildings() : std::nullopt;
+    if (buildings) return *std::move(buildings);
   } catch (const Json::exception&) {
   }
   throw Error(file, "cannot be understood", bake_again);

@@ -126,16 +126,19 @@ Vec2d landing_of(Vec3d point, Vec3d radar, const terrain::HeightField& terrain) 
   const Vec2d towards{away.x / distance_m, away.y / distance_m};
   const double above_m = point.z - terrain.height_at(foot);
   const double most_m = farthest_layover * std::max(std::abs(above_m), 1.0);
-  double over_m = above_m * away.z / distance_m;  // over level ground, from afar
-  constexpr int steps = 4;                        // of Newton's, with the slope of the ground
+  const auto bounded = [&](double wanted_m) { return std::clamp(wanted_m, -most_m, std::min(most_m, distance_m)); };
+  double over_m = bounded(above_m * away.z / distance_m);  // over level ground, from afar
+  constexpr int steps = 4;                                 // of Newton's, with the slope of the ground
   for (int step = 0; step < steps; ++step) {
     const Vec2d place = foot + towards * over_m;
     const Vec3d normal = terrain.normal_at(place);
     const double rise = -(normal.x * towards.x + normal.y * towards.y) / normal.z;
     const double left_m = distance_m - over_m, down_m = radar.z - terrain.height_at(place);
     const double there_m = std::hypot(left_m, down_m);
-    over_m += (there_m - range_m) * there_m / std::max(left_m + down_m * rise, 0.05 * there_m);
-    over_m = std::clamp(over_m, -most_m, most_m);
+    // Ground that itself lies over, or lies at no such range under the radar.
+    const double nearer = left_m + down_m * rise;
+    if (nearer < 0.05 * there_m) break;
+    over_m = bounded(over_m + (there_m - range_m) * there_m / nearer);
   }
   return foot + towards * over_m;
 }
@@ -208,6 +211,8 @@ BuildingLayer::BuildingLayer(const atlas::Atlas& atlas, const terrain::HeightFie
   const auto reflectivity = reflectivity_at(buildings, atlas.aspects(), request.frequency_hz);
   const auto clusters = clusters_of(buildings, about);
   receiver::GroundAccumulator sums(grid_);
+  // Pieces beside the grid have a share on its squares.
+  const radar::Rectangle taken_from = radar::widened(grid_.extent(), 0.5 * grid_.cell_m);
   parallel_for(clusters.size(), thread_count(request.threads), [&](std::size_t cluster, unsigned) {
     std::optional<double> clear_of_cluster_m;
     for (const std::uint32_t number : clusters[cluster]) {
@@ -228,7 +233,7 @@ BuildingLayer::BuildingLayer(const atlas::Atlas& atlas, const terrain::HeightFie
           away.z -= request.earth.drop_m(std::hypot(away.x, away.y));
           const radar::Channels returned = reflectivity[face.material].at(dot(face.normal, normalized(away)));
           const Vec2d place = landing_of(point, radar, terrain);
-          if (returned == radar::Channels{} || !grid_.extent().contains(place)) return;
+          if (returned == radar::Channels{} || !taken_from.contains(place)) return;
           const double passed = sight.part_passed(point, face.normal, radar, clear_m);
           if (passed > 0.0) add(returned * static_cast<float>(passed * area_m2), place, grid_, sums);
         });

@@ -28,7 +28,7 @@ struct LayerRequest {
 /// What buildings that an atlas keeps apart return directly to a radar, laid over the ground as a look is that was
 /// baked from just there: σ0 over map area, square by square, walls and roofs lying over towards the radar.
 ///
-/// Every face is taken in points, each with what its material returns by angle, and what of that passes terrain and
+/// Every face is taken in pieces, each with what its material returns by angle, and what of that passes terrain and
 /// obstacles (FaceSight). It belongs to the ground of its range: docs/physics/estimator.md, Eq. (5).
 /// docs/decisions/0171-buildings-apart.md.
 class BuildingLayer {

@@ -87,7 +87,10 @@ FaceSight::FaceSight(const radar::ObstacleMap& obstacles, const terrain::HeightF
     }
   });
   for (const float row_m : tallest_m) tallest_m_ = std::max(tallest_m_, static_cast<double>(row_m));
-  highest_m_ = static_cast<double>(terrain.highest_m()) + tallest_m_;
+  float tallest_of_all_m = 0.0F;
+  for (const radar::Obstacle& obstacle : obstacles.obstacles.values())
+    tallest_of_all_m = std::max(tallest_of_all_m, obstacle.top_m());
+  highest_m_ = static_cast<double>(terrain.highest_m() + tallest_of_all_m);
 }
 
 double FaceSight::march_m(double rise) const {
@@ -145,7 +148,7 @@ double FaceSight::part_passed(Vec3d point, Vec3d normal, Vec3d radar, double cle
   if (point.z <= clear_above_m) return 0.0;
   const double square_m = obstacles_.grid.cell_m;
   Way way(point, radar, earth_);
-  double tolerance_m = 0.0;
+  double tolerance_m = 0.0, climb = 0.0;
   if (normal.z < wall_normal_z) {
     // Houses stand on the lowest of their ground: what of a wall is below the ground.
     if (point.z <= terrain_.height_at({point.x, point.y})) return 0.0;
@@ -153,7 +156,9 @@ double FaceSight::part_passed(Vec3d point, Vec3d normal, Vec3d radar, double cle
     if (across > 0.0) way.go_on_beside(Vec2d{normal.x, normal.y} * (before_wall_squares * square_m / across));
   } else {
     const double of_ground = rise_across(terrain_.normal_at({point.x, point.y}));
-    tolerance_m = roof_tolerance_m + square_m * (0.5 * rise_across(normal) + of_ground);
+    tolerance_m = roof_tolerance_m + square_m * (rise_across(normal) + of_ground);
+    // Over the roof's own plane; what the line has climbed no doubt about the roof takes from it.
+    climb = std::max(0.0, way.rise + dot(Vec2d{normal.x, normal.y}, way.direction) / normal.z);
   }
   const double end_m = std::min(march_m(way.rise), way.length_m), half_fall_m = 0.5 * square_m * std::abs(way.rise);
   double depth = 0.0;
@@ -168,7 +173,8 @@ double FaceSight::part_passed(Vec3d point, Vec3d normal, Vec3d radar, double cle
     const radar::Obstacle obstacle = obstacles_.at(under);
     const double above_m = way.height_at(d) - terrain_.height_at(under);
     // Where it begins, what of a wall is within another house is so too.
-    if (above_m < static_cast<double>(obstacle.solid_top_m) - tolerance_m || above_m + tolerance_m <= 0.0) return 0.0;
+    const double in_doubt_m = std::max(0.0, tolerance_m - d * climb);
+    if (above_m < static_cast<double>(obstacle.solid_top_m) - in_doubt_m || above_m + in_doubt_m <= 0.0) return 0.0;
     if (obstacle.crown_top_m > 0.0F) {
       const double way_m = (d == 0.0 ? 0.5 : 1.0) * square_m * std::sqrt(1.0 + way.rise * way.rise);
       depth += static_cast<double>(obstacle.crown_extinction_per_m) * way_m *

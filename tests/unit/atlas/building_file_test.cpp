@@ -102,6 +102,15 @@ TEST_F(BuildingFile, IsVouchedForByItsItem) {
   EXPECT_THAT(fault(), HasSubstr("buildings.json is missing"));
 }
 
+// Whole and vouched for, and yet of another kind.
+TEST_F(BuildingFile, OfOtherAnglesIsRefused) {
+  Buildings other = tent();
+  other.materials[0].reflectivity[0].at_node.resize(91);
+  write_buildings(atlas_, other);
+  EXPECT_EQ(fault(), "");
+  EXPECT_THAT(message_of_error([&] { static_cast<void>(read_buildings(atlas_)); }), HasSubstr("cannot be understood"));
+}
+
 TEST_F(BuildingFile, IsVerifiedWithTheAtlas) {
   const auto is_of_buildings = [](const StoreFault& found) { return found.file == buildings_name; };
   const auto found = [&] {

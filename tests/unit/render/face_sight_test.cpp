@@ -91,6 +91,47 @@ TEST(FaceSight, AHouseOnASlopeDoesNotHideItsRoof) {
   }
 }
 
+// In squares of which the highest of the roof is known, as scene::obstacles_of makes them.
+TEST(FaceSight, APitchedRoofDoesNotHideItself) {
+  const auto terrain = level_ground();
+  const double pitch = 0.7;
+  const auto height_m = [&](double y) { return 8.0 + pitch * (8.0 - std::abs(y)); };
+  const auto house = obstacles([&](Vec2d place) {
+    const double nearest_ridge = std::max(std::abs(place.y) - 0.8, 0.0);
+    const bool within = std::abs(place.x) < 12.0 && std::abs(place.y) < 8.0;
+    return radar::Obstacle{.solid_top_m = within ? static_cast<float>(height_m(nearest_ridge)) : 0.0F};
+  });
+  const FaceSight sight(house, terrain, everywhere);
+  const Vec3d facing = Vec3d{0.0, -pitch, 1.0} * (1.0 / std::hypot(1.0, pitch));
+  for (double y = -7.9; y < 0.0; y += 0.31)
+    EXPECT_EQ(passed(sight, {0.3, y, height_m(y)}, facing, radar_at(10.0)), 1.0) << y;
+}
+
+// What is in doubt about a roof is forgotten along its line of sight: a house before it hides it as it hides the
+// ground.
+TEST(FaceSight, ARoofInDoubtIsHiddenByAnotherHouse) {
+  const auto terrain = ground([](Vec2d place) { return 0.3 * place.y; });
+  const double edge_m = -16.0, top_m = 0.3 * edge_m + 14.0, rise = std::tan(radians_from_deg(20.0));
+  const auto block = obstacles([&](Vec2d place) {
+    const bool within = place.y > -32.0 && place.y < edge_m;
+    return radar::Obstacle{.solid_top_m = within ? static_cast<float>(top_m - 0.3 * place.y) : 0.0F};
+  });
+  const FaceSight sight(block, terrain, everywhere);
+  const double hidden_m = top_m - (5.0 - edge_m) * rise;
+  EXPECT_EQ(passed(sight, {0.0, 5.0, hidden_m - 0.8}, up, radar_at(20.0)), 0.0);
+  EXPECT_EQ(passed(sight, {0.0, 5.0, hidden_m + 0.8}, up, radar_at(20.0)), 1.0);
+}
+
+// Of all obstacles, not of those about.
+TEST(FaceSight, ATowerFarAwayHidesToo) {
+  const auto terrain = level_ground();
+  const auto tower = obstacles(solid_bar(-450.0, -400.0, 60.0F));
+  const FaceSight sight(tower, terrain, {-50.0, -50.0, 50.0, 50.0});
+  const double hidden_m = 60.0 - 400.0 * std::tan(radians_from_deg(3.0));
+  EXPECT_EQ(passed(sight, {0.0, 0.0, hidden_m - 1.0}, south, radar_at(3.0)), 0.0);
+  EXPECT_EQ(passed(sight, {0.0, 0.0, hidden_m + 1.0}, south, radar_at(3.0)), 1.0);
+}
+
 // A radar below a house sees no floor through the ground.
 TEST(FaceSight, AnUndersideOnTheGroundIsNotSeen) {
   const auto terrain = ground([](Vec2d place) { return 0.2 * place.y; });
