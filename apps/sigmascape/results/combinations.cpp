@@ -54,6 +54,8 @@ std::optional<WithOwnLook> with_own_look(const ResultsRow& row, const std::vecto
   ResultsCase own = row.of;
   own.grid = own_look;
   if (own.change != adaptive_change) own.change = "";
+  // Looks of the views' own hold buildings: rays know of them what a map makes.
+  if (own.method == Method::Apart) own.method = Method::OwnGround;
   const ResultsCell* own_cell = summary_cell(find_row(rows, own));
   if (own_cell == nullptr) return std::nullopt;
   return WithOwnLook{row.at_cell(summary_cell_m), own_cell};
@@ -91,6 +93,9 @@ std::string limit_of(const ResultsRow& row, const std::vector<ResultsRow>& rows)
              "blending looks averages noise that the own look has in full. ",
              cause, way.rms_db, own.rms_db, both->way->floor_median.rms_db, percent(parts.missing_angles_db2),
              percent(parts.truth_noise_db2), percent(parts.rest_db2)) +
+         (row.of.method == Method::Apart
+              ? "Among the missing angles counts here what maps know of buildings less well than rays do. "
+              : "") +
          by_l1;
 }
 
