@@ -129,7 +129,7 @@ def test_what_is_in_doubt_is_shared_or_left_where_it_fell(scene, tmp_path):
 def test_buildings_that_are_kept_apart_are_in_maps_and_refused_by_live_frames(tmp_path):
     town = sigmascape.Scene.paper(scale=0.1, materials="itu")
     options = dict(azimuths=1, elevations_deg=[30.0], texel_m=2.0, patch_texels=256, samples=8, bounces=1, progress=False)
-    radar = sigmascape.Radar(range_resolution_m=2.0, beam_width_deg=0.05, cell_m=2.0)
+    radar = sigmascape.Radar(range_resolution_m=2.0, beam_width_deg=0.1, cell_m=2.0)
     radar.see_from(azimuth_deg=0.0, elevation_deg=30.0, slant_range_m=2500.0)
     power = {}
     for buildings in ["baked", "apart"]:
