@@ -31,6 +31,9 @@ row 0 the northernmost; sigma0 is linear. Names say their unit. Long calls let o
 What cannot be used raises sigmascape.Error, which says why, and what is of a wrong type TypeError.
 """
 
+# By the first call that makes an array it might be in a thread, for which a process forked meanwhile would wait for ever.
+import numpy as _numpy  # noqa: F401
+
 from . import _progress
 from ._native import (
     Atlas,

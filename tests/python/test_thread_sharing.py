@@ -134,3 +134,9 @@ def test_a_forked_process_does_not_wait_for_what_a_thread_of_its_parent_imported
 
 def test_metadata_may_be_assigned_while_the_map_is_saved(tmp_path):
     assert ended(METADATA, tmp_path / "map") == ("saved\n", "", 0)
+
+
+def test_a_thread_of_the_parent_does_not_import_numpy_while_it_forks():
+    """In the child it would never be imported to the end. On a busy machine the test above hung so every third time."""
+    said = subprocess.run([sys.executable, "-c", "import sigmascape, sys; print('numpy' in sys.modules)"], capture_output=True, text=True)
+    assert (said.stdout, said.returncode) == ("True\n", 0)
