@@ -94,18 +94,12 @@ std::string choice_text(const ResultsPlan& plan, const Worth& elevations, const 
 std::vector<Change> changes(const ResultsPlan& plan) {
   const std::string place = plan.scene_name(), grid = plan.paper_grid().name();
   const ResultsCase paper{.scene = place, .method = Method::Paper, .grid = grid, .baked_samples = plan.baked_samples};
-  ResultsCase baked = paper, level = paper, own = paper;
+  ResultsCase baked = paper, level = paper, own = paper, apart = paper;
   baked.method = Method::BakedShadows;
   level.method = Method::LevelGround;
   own.method = Method::OwnGround;
-  const auto apart_from = [&](const LookGrid& looks) {
-    ResultsCase of = paper;
-    of.method = Method::Apart;
-    of.grid = looks.name();
-    return of;
-  };
-  const auto own_from = [&](const LookGrid& looks) {
-    ResultsCase of = own;
+  apart.method = Method::Apart;
+  const auto from = [](ResultsCase of, const LookGrid& looks) {
     of.grid = looks.name();
     return of;
   };
@@ -126,7 +120,7 @@ std::vector<Change> changes(const ResultsPlan& plan) {
        kept_mark});
   list.push_back({{"shadows made at run time", text_of(Method::BakedShadows), level, baked}, kept_mark});
   list.push_back({{"objects baked on their own ground", text_of(Method::LevelGround), own, level}, kept_mark});
-  list.push_back({{"buildings kept apart", before, apart_from(plan.paper_grid()), own}, "an option"});
+  list.push_back({{"buildings kept apart", before, from(apart, plan.paper_grid()), own}, "an option"});
   if (plan.has_default_bake) {
     list.push_back(
         {{fmt::format("{}: {} a texel", adaptive_change, rays_text(0)), before, with_rays_where_noise_is(own), own},
@@ -137,21 +131,21 @@ std::vector<Change> changes(const ResultsPlan& plan) {
                    by_tiles, own},
                   "a bound: needs the map from " + next});
   const LookGrid even = plan.even_in_cotangent(), elevations = plan.more_elevations(), azimuths = plan.more_azimuths();
-  list.push_back({{"as many elevations, spaced evenly, " + even.name(), before, own_from(even), own}, "not kept"});
-  list.push_back({{"more elevations, " + elevations.name(), before, own_from(elevations), own}, "an option"});
-  list.push_back({{"more azimuths, " + azimuths.name(), before, own_from(azimuths), own}, "an option"});
-  list.push_back({{"both, " + next, before, own_from(plan.next_grid()), own}, "an option"});
+  list.push_back({{"as many elevations, spaced evenly, " + even.name(), before, from(own, even), own}, "not kept"});
+  list.push_back({{"more elevations, " + elevations.name(), before, from(own, elevations), own}, "an option"});
+  list.push_back({{"more azimuths, " + azimuths.name(), before, from(own, azimuths), own}, "an option"});
+  list.push_back({{"both, " + next, before, from(own, plan.next_grid()), own}, "an option"});
   if (plan.has_default_bake) {
-    const ResultsCase finer = own_from(plan.next_grid());
+    const ResultsCase finer = from(own, plan.next_grid());
     list.push_back({{fmt::format("the same, {}", adaptive_change), fmt::format("{}, {}", before, next),
                      with_rays_where_noise_is(finer), finer},
                     kept_mark});
-    list.push_back({{"buildings kept apart", fmt::format("{}, {}", before, next), apart_from(plan.next_grid()), finer},
+    list.push_back({{"buildings kept apart", fmt::format("{}, {}", before, next), from(apart, plan.next_grid()), finer},
                     "an option"});
   }
   if (plan.has_finest_grid()) {
     const LookGrid& finest = plan.grids.back();
-    list.push_back({{"the finest, " + finest.name(), before, own_from(finest), own}, "an option"});
+    list.push_back({{"the finest, " + finest.name(), before, from(own, finest), own}, "an option"});
   }
   return list;
 }

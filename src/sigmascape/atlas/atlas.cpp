@@ -22,12 +22,6 @@ std::array<float, 8> stored_weights(const AspectWeights& weights, const std::vec
   return product;
 }
 
-/// What the next texel has in a point so far on the way from one's middle to its: nothing and all on the outer quarters
-/// of the way, rising evenly over its half about the edge between them.
-float share_of_next(double way) {
-  return std::clamp(2.0F * static_cast<float>(way) - 0.5F, 0.0F, 1.0F);
-}
-
 /// The floor, where there is no instruction for it.
 int whole_below(double value) {
   const auto towards_zero = static_cast<int>(value);

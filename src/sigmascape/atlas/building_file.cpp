@@ -5,8 +5,8 @@
 #include <bit>
 #include <cstdint>
 #include <cstring>
-#include <fmt/format.h>
 #include <limits>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -139,7 +139,7 @@ std::string glb_bytes(const Buildings& buildings) {
   return bytes + chunks;
 }
 
-/// A file as it is written here, read back; what is otherwise throws, for its item vouches for it.
+/// A file as it is written here, read back. Throws where it is none: its item vouches for the rest.
 class GlbReader {
  public:
   explicit GlbReader(const std::string& bytes) {

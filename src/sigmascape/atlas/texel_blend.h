@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 
@@ -8,6 +9,13 @@
 #include "sigmascape/radar/channels.h"
 
 namespace sigmascape::atlas {
+
+/// What the next texel has in a point so far on the way from one's middle to its: nothing and all on the outer quarters
+/// of the way, rising evenly over its half about the edge between them.
+/// docs/decisions/0163-texels-blend-over-half-their-width.md.
+[[nodiscard]] inline float share_of_next(double way) {
+  return std::clamp(2.0F * static_cast<float>(way) - 0.5F, 0.0F, 1.0F);
+}
 
 /// One of the texels that make up a point.
 struct TexelPart {

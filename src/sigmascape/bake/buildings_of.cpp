@@ -1,6 +1,5 @@
 #include "sigmascape/bake/buildings_of.h"
 
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -10,6 +9,7 @@
 #include "sigmascape/radar/face_reflectivity.h"
 #include "sigmascape/radar/rectangle_parts.h"
 #include "sigmascape/scatter/surface_sigma0.h"
+#include "sigmascape/scene/buildings_within.h"
 #include "sigmascape/trace/path_tracer.h"
 
 namespace sigmascape::bake {
@@ -29,11 +29,7 @@ radar::FaceReflectivity reflectivity_of(const scatter::SurfaceModel& surface) {
 /// Those that lie over into the scene's extent at most elevations: as far as the tallest does at 76°.
 scene::Buildings near_by(const scene::Scene& scene) {
   const radar::Rectangle about = radar::widened(scene.extent, 4.0 * scene::tallest_object_m(scene));
-  std::vector<std::uint32_t> numbers;
-  for (std::size_t i = 0; i < scene.buildings.items.size(); ++i) {
-    if (radar::meet(scene::extent_of(scene.buildings, scene.buildings.items[i]), about))
-      numbers.push_back(static_cast<std::uint32_t>(i));
-  }
+  const std::vector<std::uint32_t> numbers = scene::buildings_within(scene.buildings, about);
   return numbers.size() == scene.buildings.items.size() ? scene.buildings : scene::part_of(scene.buildings, numbers);
 }
 

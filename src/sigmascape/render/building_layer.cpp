@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "sigmascape/atlas/texel_blend.h"
 #include "sigmascape/base/parallel.h"
 #include "sigmascape/base/units.h"
 #include "sigmascape/radar/rectangle_parts.h"
@@ -17,9 +18,6 @@
 
 namespace sigmascape::render {
 namespace {
-
-/// Longest edge of the pieces that faces are taken in, over the side of a square.
-constexpr double longest_piece = 1.0;
 
 /// Faces that are near together ask once what hides them from afar.
 constexpr double cluster_m = 32.0;
@@ -59,10 +57,14 @@ void for_each_piece(const Corners& corners, double area_m2, double longest_m, co
   for_each_piece({half_way, to, apex}, 0.5 * area_m2, longest_m, visit);
 }
 
+/// The least rectangle that holds three places.
+radar::Rectangle rectangle_about(Vec2d first, Vec2d second, Vec2d third) {
+  return radar::with_point(radar::with_point({first.x, first.y, first.x, first.y}, second), third);
+}
+
 radar::Rectangle plan_of(const Corners& corners) {
-  radar::Rectangle plan{corners[0].x, corners[0].y, corners[0].x, corners[0].y};
-  for (const Vec3d& corner : corners) plan = radar::with_point(plan, {corner.x, corner.y});
-  return plan;
+  const auto [a, b, c] = corners;
+  return rectangle_about({a.x, a.y}, {b.x, b.y}, {c.x, c.y});
 }
 
 /// A face as it stands.
@@ -147,9 +149,8 @@ Vec2d landing_of(Vec3d point, Vec3d radar, const terrain::HeightField& terrain) 
 /// for what the ground rises and falls there.
 bool may_land_in(const radar::GroundGrid& grid, const Corners& corners, Vec3d radar,
                  const terrain::HeightField& terrain) {
-  const Vec2d first = landing_of(corners[0], radar, terrain);
-  radar::Rectangle box{first.x, first.y, first.x, first.y};
-  for (const Vec3d& corner : {corners[1], corners[2]}) box = radar::with_point(box, landing_of(corner, radar, terrain));
+  const auto landing = [&](const Vec3d& corner) { return landing_of(corner, radar, terrain); };
+  const radar::Rectangle box = rectangle_about(landing(corners[0]), landing(corners[1]), landing(corners[2]));
   return radar::meet(radar::widened(box, 2.0 * grid.cell_m + 0.25 * std::max(box.width_m(), box.height_m())),
                      grid.extent());
 }
@@ -163,32 +164,27 @@ radar::Rectangle with_what_lies_before(const radar::Rectangle& area, Vec3d radar
                        radar::moved(area, away * (std::min(distance_m, FaceSight::longest_march_m) / distance_m)));
 }
 
-/// Share of the next square in what is so wide, in squares, so far on the way from one's middle to its.
-float share_of_next(double way, double width) {
-  return static_cast<float>(std::clamp(0.5 + (way - 0.5) / width, 0.0, 1.0));
-}
-
 /// Where a point lies among the middles of squares.
 struct AmongSquares {
-  AmongSquares(Vec2d point, const radar::GroundGrid& grid, double width) {
+  AmongSquares(Vec2d point, const radar::GroundGrid& grid) {
     const double across = (point.x - grid.west_m) / grid.cell_m - 0.5,
                  down = (grid.north_m - point.y) / grid.cell_m - 0.5;
     column = std::floor(across);
     row = std::floor(down);
-    right = share_of_next(across - column, width);
-    below = share_of_next(down - row, width);
+    right = across - column;
+    below = down - row;
   }
 
-  double column, row;  ///< of the north-western one of four
-  float right, below;  ///< what the eastern and the southern ones have of it
+  double column, row;   ///< of the north-western one of four
+  double right, below;  ///< how far on the way to the next, from 0 to 1
 };
 
-/// Gives what a piece returns to the squares that it lies on, as though it were as wide either way as its longest edge.
+/// Gives what a piece returns to the squares that it lies on, as though it were as wide as one: its longest edge is.
 void add(const radar::Channels& rcs_m2, Vec2d place, const radar::GroundGrid& grid, receiver::GroundAccumulator& sums) {
-  const AmongSquares at(place, grid, longest_piece);
-  for (const auto& [east, share_across] : {std::pair(0.0, 1.0F - at.right), {1.0, at.right}}) {
-    for (const auto& [south, share_down] : {std::pair(0.0, 1.0F - at.below), {1.0, at.below}}) {
-      const float share = share_across * share_down;
+  const AmongSquares at(place, grid);
+  for (const auto& [east, share_across] : {std::pair(0.0, 1.0 - at.right), {1.0, at.right}}) {
+    for (const auto& [south, share_down] : {std::pair(0.0, 1.0 - at.below), {1.0, at.below}}) {
+      const auto share = static_cast<float>(share_across * share_down);
       const Vec2d middle{grid.west_m + (at.column + east + 0.5) * grid.cell_m,
                          grid.north_m - (at.row + south + 0.5) * grid.cell_m};
       const auto square = sums.cell_at(middle);
@@ -227,7 +223,7 @@ BuildingLayer::BuildingLayer(const atlas::Atlas& atlas, const terrain::HeightFie
         const bool is_whole = part == face.corners;
         if (is_whole && !clear_of_cluster_m) clear_of_cluster_m = sight.clear_above_m({there.x, there.y}, radar);
         const double clear_m = is_whole ? *clear_of_cluster_m : sight.clear_above_m({there.x, there.y}, radar);
-        for_each_piece(part, part_m2, longest_piece * grid_.cell_m, [&](const Corners& piece, double area_m2) {
+        for_each_piece(part, part_m2, grid_.cell_m, [&](const Corners& piece, double area_m2) {
           const Vec3d point = middle_of(piece);
           Vec3d away = radar - point;
           away.z -= request.earth.drop_m(std::hypot(away.x, away.y));
@@ -251,14 +247,14 @@ std::shared_ptr<const BuildingLayer> building_layer(const atlas::Atlas& atlas, c
 }
 
 radar::Channels BuildingLayer::sigma0_at(Vec2d point) const {
-  // As atlas::Atlas blends texels: over half of one.
-  const AmongSquares at(point, grid_, 0.5);
+  const AmongSquares at(point, grid_);
   if (!(at.column >= 0.0 && at.row >= 0.0 && at.column + 1.0 < static_cast<double>(grid_.columns) &&
         at.row + 1.0 < static_cast<double>(grid_.rows)))
     return {};
   const auto i = static_cast<std::size_t>(at.column), j = static_cast<std::size_t>(at.row);
-  return (sigma0_(i, j) * (1.0F - at.right) + sigma0_(i + 1, j) * at.right) * (1.0F - at.below) +
-         (sigma0_(i, j + 1) * (1.0F - at.right) + sigma0_(i + 1, j + 1) * at.right) * at.below;
+  const float right = atlas::share_of_next(at.right), below = atlas::share_of_next(at.below);
+  return (sigma0_(i, j) * (1.0F - right) + sigma0_(i + 1, j) * right) * (1.0F - below) +
+         (sigma0_(i, j + 1) * (1.0F - right) + sigma0_(i + 1, j + 1) * right) * below;
 }
 
 }  // namespace sigmascape::render

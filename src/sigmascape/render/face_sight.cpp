@@ -64,13 +64,15 @@ FaceSight::FaceSight(const radar::ObstacleMap& obstacles, const terrain::HeightF
                      const radar::Rectangle& about, const radar::CurvedEarth& earth, unsigned threads)
     : obstacles_(obstacles), terrain_(terrain), earth_(earth) {
   const radar::GroundGrid& grid = obstacles.grid;
-  const auto block_of = [&](double squares, std::size_t most) {
+  const auto block_of = [](double squares, std::size_t most) {
     return static_cast<std::size_t>(std::clamp(squares, 0.0, static_cast<double>(most)) / block_squares);
   };
   first_column_ = block_of((about.west_m - grid.west_m) / grid.cell_m, grid.columns);
   first_row_ = block_of((grid.north_m - about.north_m) / grid.cell_m, grid.rows);
-  const std::size_t end_column = block_of((about.east_m - grid.west_m) / grid.cell_m + block_squares, grid.columns + 7);
-  const std::size_t end_row = block_of((grid.north_m - about.south_m) / grid.cell_m + block_squares, grid.rows + 7);
+  const std::size_t end_column =
+      block_of((about.east_m - grid.west_m) / grid.cell_m + block_squares, grid.columns + block_squares - 1);
+  const std::size_t end_row =
+      block_of((grid.north_m - about.south_m) / grid.cell_m + block_squares, grid.rows + block_squares - 1);
   block_top_m_ = Array2D<float>(end_column - std::min(first_column_, end_column),
                                 end_row - std::min(first_row_, end_row), std::numeric_limits<float>::lowest());
   std::vector<float> tallest_m(block_top_m_.rows(), 0.0F);

@@ -28,7 +28,6 @@ void check_buildings(const atlas::Store& store) {
 }
 
 std::unique_ptr<LiveObstacles> obstacles_of(const atlas::Store& store, const CacheOptions& options) {
-  check_buildings(store);
   if (!atlas::keeps_ground_apart(store)) return nullptr;
   return std::make_unique<LiveObstacles>(store, options.budget_bytes / obstacle_part, options.scrutiny);
 }
@@ -61,6 +60,7 @@ std::size_t side_of_stand_in(const PageSource& source, std::size_t budget_bytes,
 std::shared_ptr<const PageSource> source_of(const atlas::Store& store, const LiveTerrain& terrain,
                                             const LiveObstacles* obstacles, double frequency_hz,
                                             atlas::Scrutiny scrutiny) {
+  check_buildings(store);
   atlas::check_frequency(store.description().aspects, frequency_hz);
   const HeightSource heights = [&terrain](const radar::GroundGrid& cells, std::span<float> height_m) {
     return terrain.fill_heights(cells, height_m);

@@ -12,6 +12,7 @@
 
 #include "sigmascape/base/interruption.h"
 #include "sigmascape/radar/rectangle_parts.h"
+#include "sigmascape/scene/buildings_within.h"
 #include "sigmascape/scene/foliage_raster.h"
 #include "sigmascape/scene/roof_raster.h"
 
@@ -136,16 +137,6 @@ struct Strips {
     for (std::size_t strip = strip_from(north, count()); strip < end; ++strip) visit(strip);
   }
 };
-
-/// Numbers of the buildings that reach into a place: of a large scene few.
-std::vector<std::uint32_t> buildings_within(const Buildings& buildings, const radar::Rectangle& place) {
-  std::vector<std::uint32_t> numbers;
-  for (std::uint32_t number = 0; number < buildings.items.size(); ++number) {
-    Interruption::heed();
-    if (radar::meet(extent_of(buildings, buildings.items[number]), place)) numbers.push_back(number);
-  }
-  return numbers;
-}
 
 /// What stands on each strip of a grid.
 class Standing {
