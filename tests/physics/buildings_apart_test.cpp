@@ -16,6 +16,8 @@
 #include "sigmascape/product/ground_projection.h"
 #include "sigmascape/product/map_metrics.h"
 #include "sigmascape/radar/rectangle_parts.h"
+#include "sigmascape/render/building_layer.h"
+#include "sigmascape/render/ground_scatterers.h"
 #include "sigmascape/render/live_ground.h"
 #include "sigmascape/scene/building_extrusion.h"
 #include "sigmascape/simulate/simulate.h"
@@ -198,6 +200,72 @@ TEST(BuildingsApart, HideOneAnother) {
         returned_m2(behind.length_m * (behind.height_m - hidden_m), std::cos(radians_from_deg(elevation_deg)));
     expect_decibels(fmt::format("a wall behind another at {:g}°", elevation_deg), expected,
                     power_m2(rendered(scene, atlas, radar_at(180.0, elevation_deg))), 0.15);
+  }
+}
+
+/// What a layer of buildings returns from all of a place.
+double returned_m2(const atlas::Atlas& atlas, const scene::Scene& scene, const render::LayerRequest& request) {
+  const auto layer = render::building_layer(atlas, scene.terrain, request);
+  double sum = 0.0;
+  for (std::size_t row = 0; row < map_cells.rows; ++row) {
+    for (std::size_t column = 0; column < map_cells.columns; ++column)
+      sum += static_cast<double>(layer->sigma0_at(map_cells.centre_of(column, row)).vv) * texel_m * texel_m;
+  }
+  return sum;
+}
+
+// The beam of a strip meets every wall head-on that faces the track, and what a screen hides lies straight behind it.
+// From the platform's place at time zero, 60 m away to the west, neither is so.
+TEST(BuildingsApart, AreSeenByAStripAsItsBeamPasses) {
+  constexpr double platform_m = 150.0, track_m = -200.0, height_m = 20.0, screen_m = 10.0;
+  scene::Scene scene = level_scene(lambert("black", 0.0), 256.0);
+  for (const double x : {-40.0, 40.0})
+    put(scene, {{x, 10.0}, 20.0, 20.0, height_m}, lambert("wall", albedo), lambert("black", 0.0));
+  put(scene, {{40.0, -15.0}, 20.0, 10.0, screen_m}, lambert("black", 0.0), lambert("black", 0.0));
+  const atlas::Atlas atlas = baked(scene, settings_of(bake::Buildings::Apart, 1));
+  // The screen's far edge is on y = −10, the wall on y = 0.
+  const double hidden_m = screen_m - 10.0 * (platform_m - screen_m) / (-10.0 - track_m);
+  const auto of_wall_from = [&](double lowest_m) {
+    constexpr int pieces = 1000;
+    double sum = 0.0;
+    for (int i = 0; i < pieces; ++i) {
+      const double z = lowest_m + (height_m - lowest_m) * (i + 0.5) / pieces, rise = (platform_m - z) / -track_m;
+      sum += returned_m2(20.0 * (height_m - lowest_m) / pieces, 1.0 / std::hypot(1.0, rise));
+    }
+    return sum;
+  };
+  const double expected = of_wall_from(0.0) + of_wall_from(hidden_m);
+  const radar::Vantage strip(radar::PassingBeam{
+      .position = {-60.0, track_m, platform_m}, .velocity_mps = {100.0, 0.0, 0.0}, .outwards = {0.0, 1.0}});
+  expect_decibels("walls along a strip", expected,
+                  returned_m2(atlas, scene, {strip, frequency_hz, map_cells.extent(), 0.0}), 0.15);
+
+  // Scatterers of I/Q have it in the mean.
+  double of_scatterers = 0.0;
+  constexpr std::uint64_t draws = 64;
+  for (std::uint64_t seed = 0; seed < draws; ++seed) {
+    for (const radar::Scatterer& scatterer :
+         render::ground_scatterers(scene.terrain, render::reflectivity_of(atlas, frequency_hz, texel_m),
+                                   radar::ScattererLattice({.seed = seed, .cell_m = texel_m}),
+                                   {.vantage = strip, .area = map_cells.extent()}))
+      of_scatterers += static_cast<double>(std::norm(scatterer.amplitude_m.vv)) / draws;
+  }
+  expect_decibels("walls along a strip, as scatterers", expected, of_scatterers, 0.25);
+}
+
+// 150 km away over a round Earth a roof is seen under the grazing angle that is left of the flat Earth's.
+TEST(BuildingsApart, StandUprightOnARoundEarth) {
+  scene::Scene scene = level_scene(lambert("black", 0.0), 256.0);
+  const Box box{{0.0, 0.0}, 40.0, 30.0, 10.0};
+  put(scene, box, lambert("black", 0.0), lambert("roof", albedo));
+  const atlas::Atlas atlas = baked(scene, settings_of(bake::Buildings::Apart, 1));
+  const Vec3d radar{0.0, -150e3, 4000.0};
+  for (const radar::CurvedEarth earth : {radar::CurvedEarth::flat(), radar::CurvedEarth{}}) {
+    const double sine = earth.sin_grazing(radar.z, box.height_m, 150e3);
+    expect_decibels(fmt::format("a roof at {:.2f}°", deg_from_radians(std::asin(sine))),
+                    returned_m2(box.length_m * box.width_m, sine),
+                    returned_m2(atlas, scene, {radar::Vantage(radar), frequency_hz, map_cells.extent(), 0.0, earth}),
+                    0.1);
   }
 }
 

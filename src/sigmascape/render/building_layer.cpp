@@ -4,8 +4,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <map>
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -19,8 +17,8 @@
 namespace sigmascape::render {
 namespace {
 
-/// Faces that are near together ask once what hides them from afar.
-constexpr double cluster_m = 32.0;
+/// Parts of a face no longer than this are taken or left as they lie over into a map or not.
+constexpr double longest_part_m = 32.0;
 
 /// Beyond this many times its height above the ground nothing lies over to a radar: at 85°.
 constexpr double farthest_layover = 11.4;
@@ -76,29 +74,12 @@ struct Face {
     normal = area_m2 > 0.0 ? twice * (0.5 / area_m2) : Vec3d{};
     material = buildings.material_of[number];
   }
-  [[nodiscard]] Vec3d middle() const { return middle_of(corners); }
 
   Corners corners;
   Vec3d normal;
   double area_m2;
   std::uint8_t material;
 };
-
-/// Numbers of faces by the square of `cluster_m` that their middles lie in, of those that reach into a place.
-std::vector<std::vector<std::uint32_t>> clusters_of(const atlas::Buildings& buildings, const radar::Rectangle& about) {
-  std::map<std::pair<std::int64_t, std::int64_t>, std::vector<std::uint32_t>> by_square;
-  for (std::size_t number = 0; number < buildings.triangles.size(); ++number) {
-    const Face face(buildings, number);
-    if (!radar::meet(plan_of(face.corners), about)) continue;
-    const Vec3d middle = face.middle();
-    by_square[{static_cast<std::int64_t>(std::floor(middle.x / cluster_m)),
-               static_cast<std::int64_t>(std::floor(middle.y / cluster_m))}]
-        .push_back(static_cast<std::uint32_t>(number));
-  }
-  std::vector<std::vector<std::uint32_t>> clusters;
-  for (auto& [square, faces] : by_square) clusters.push_back(std::move(faces));
-  return clusters;
-}
 
 /// What every material returns at one frequency.
 std::vector<radar::FaceReflectivity> reflectivity_at(const atlas::Buildings& buildings, const atlas::AspectGrid& grid,
@@ -130,8 +111,9 @@ Vec2d landing_of(Vec3d point, Vec3d radar, const terrain::HeightField& terrain) 
   const double most_m = farthest_layover * std::max(std::abs(above_m), 1.0);
   const auto bounded = [&](double wanted_m) { return std::clamp(wanted_m, -most_m, std::min(most_m, distance_m)); };
   double over_m = bounded(above_m * away.z / distance_m);  // over level ground, from afar
-  constexpr int steps = 4;                                 // of Newton's, with the slope of the ground
-  for (int step = 0; step < steps; ++step) {
+  constexpr int most_steps = 4;                            // of Newton's, with the slope of the ground
+  constexpr double precise_m = 0.01;
+  for (int step = 0; step < most_steps; ++step) {
     const Vec2d place = foot + towards * over_m;
     const Vec3d normal = terrain.normal_at(place);
     const double rise = -(normal.x * towards.x + normal.y * towards.y) / normal.z;
@@ -140,7 +122,8 @@ Vec2d landing_of(Vec3d point, Vec3d radar, const terrain::HeightField& terrain) 
     // Ground that itself lies over, or lies at no such range under the radar.
     const double nearer = left_m + down_m * rise;
     if (nearer < 0.05 * there_m) break;
-    over_m = bounded(over_m + (there_m - range_m) * there_m / nearer);
+    const double before_m = std::exchange(over_m, bounded(over_m + (there_m - range_m) * there_m / nearer));
+    if (std::abs(over_m - before_m) < precise_m) break;
   }
   return foot + towards * over_m;
 }
@@ -155,13 +138,37 @@ bool may_land_in(const radar::GroundGrid& grid, const Corners& corners, Vec3d ra
                      grid.extent());
 }
 
-/// An area, and what lies before it as seen from a radar as far as lines of sight are marched along.
-radar::Rectangle with_what_lies_before(const radar::Rectangle& area, Vec3d radar) {
-  const Vec2d away = Vec2d{radar.x, radar.y} - area.centre();
-  const double distance_m = length(away);
-  if (distance_m == 0.0) return area;
-  return radar::joined(area,
-                       radar::moved(area, away * (std::min(distance_m, FaceSight::longest_march_m) / distance_m)));
+/// What of a face may answer in a map.
+struct Part {
+  Corners corners;
+  double area_m2;
+  Vec3d normal, radar;
+  std::uint8_t material;
+};
+
+/// Of all faces that show themselves to the radar, what may land in a grid.
+std::vector<Part> parts_in(const radar::GroundGrid& grid, const atlas::Buildings& buildings,
+                           const radar::Vantage& vantage, const terrain::HeightField& terrain) {
+  const radar::Rectangle about = radar::widened(grid.extent(), widest_layover_m);
+  std::vector<Part> parts;
+  for (std::size_t number = 0; number < buildings.triangles.size(); ++number) {
+    const Face face(buildings, number);
+    if (!radar::meet(plan_of(face.corners), about)) continue;
+    const Vec3d middle = middle_of(face.corners), radar = vantage.place_for({middle.x, middle.y});
+    if (dot(face.normal, radar - middle) <= 0.0) continue;
+    for_each_piece(face.corners, face.area_m2, longest_part_m, [&](const Corners& corners, double area_m2) {
+      if (may_land_in(grid, corners, radar, terrain))
+        parts.push_back({corners, area_m2, face.normal, radar, face.material});
+    });
+  }
+  return parts;
+}
+
+/// The least rectangle that holds them all; there is one at least.
+radar::Rectangle plan_of(const std::vector<Part>& parts) {
+  radar::Rectangle plan = plan_of(parts.front().corners);
+  for (const Part& part : parts) plan = radar::joined(plan, plan_of(part.corners));
+  return plan;
 }
 
 /// Where a point lies among the middles of squares.
@@ -200,42 +207,28 @@ BuildingLayer::BuildingLayer(const atlas::Atlas& atlas, const terrain::HeightFie
   const atlas::GroundLayers& layers = *atlas.ground_layers();
   const atlas::Buildings& buildings = *layers.buildings;
   grid_ = squares_over(request.area, atlas.patches().texel_m * std::exp2(std::floor(request.level)));
-  const radar::Rectangle about = radar::widened(grid_.extent(), widest_layover_m);
-  const FaceSight sight(layers.obstacles, terrain,
-                        with_what_lies_before(about, request.vantage.place_for(about.centre())), request.earth,
-                        request.threads);
-  const auto reflectivity = reflectivity_at(buildings, atlas.aspects(), request.frequency_hz);
-  const auto clusters = clusters_of(buildings, about);
   receiver::GroundAccumulator sums(grid_);
-  // Pieces beside the grid have a share on its squares.
-  const radar::Rectangle taken_from = radar::widened(grid_.extent(), 0.5 * grid_.cell_m);
-  parallel_for(clusters.size(), thread_count(request.threads), [&](std::size_t cluster, unsigned) {
-    std::optional<double> clear_of_cluster_m;
-    for (const std::uint32_t number : clusters[cluster]) {
-      const Face face(buildings, number);
-      const Vec3d middle = face.middle();
-      const Vec3d radar = request.vantage.place_for({middle.x, middle.y});
-      if (dot(face.normal, radar - middle) <= 0.0) continue;
-      // Parts of a large face are not hidden together.
-      for_each_piece(face.corners, face.area_m2, cluster_m, [&](const Corners& part, double part_m2) {
-        if (!may_land_in(grid_, part, radar, terrain)) return;
-        const Vec3d there = middle_of(part);
-        const bool is_whole = part == face.corners;
-        if (is_whole && !clear_of_cluster_m) clear_of_cluster_m = sight.clear_above_m({there.x, there.y}, radar);
-        const double clear_m = is_whole ? *clear_of_cluster_m : sight.clear_above_m({there.x, there.y}, radar);
-        for_each_piece(part, part_m2, grid_.cell_m, [&](const Corners& piece, double area_m2) {
-          const Vec3d point = middle_of(piece);
-          Vec3d away = radar - point;
-          away.z -= request.earth.drop_m(std::hypot(away.x, away.y));
-          const radar::Channels returned = reflectivity[face.material].at(dot(face.normal, normalized(away)));
-          const Vec2d place = landing_of(point, radar, terrain);
-          if (returned == radar::Channels{} || !taken_from.contains(place)) return;
-          const double passed = sight.part_passed(point, face.normal, radar, clear_m);
-          if (passed > 0.0) add(returned * static_cast<float>(passed * area_m2), place, grid_, sums);
-        });
+  const std::vector<Part> parts = parts_in(grid_, buildings, request.vantage, terrain);
+  if (!parts.empty()) {
+    const FaceSight sight(layers.obstacles, terrain, request.vantage, plan_of(parts), request.earth, request.threads);
+    const auto reflectivity = reflectivity_at(buildings, atlas.aspects(), request.frequency_hz);
+    // Pieces beside the grid have a share on its squares.
+    const radar::Rectangle taken_from = radar::widened(grid_.extent(), 0.5 * grid_.cell_m);
+    parallel_for(parts.size(), thread_count(request.threads), [&](std::size_t number, unsigned) {
+      const Part& part = parts[number];
+      for_each_piece(part.corners, part.area_m2, grid_.cell_m, [&](const Corners& piece, double area_m2) {
+        const Vec3d point = middle_of(piece);
+        Vec3d away = part.radar - point;
+        away.z -= request.earth.drop_m(std::hypot(away.x, away.y));
+        const radar::Channels returned = reflectivity[part.material].at(dot(part.normal, normalized(away)));
+        if (returned == radar::Channels{}) return;
+        const double passed = sight.part_passed(point, part.normal, part.radar);
+        if (passed == 0.0) return;
+        const Vec2d place = landing_of(point, part.radar, terrain);
+        if (taken_from.contains(place)) add(returned * static_cast<float>(passed * area_m2), place, grid_, sums);
       });
-    }
-  });
+    });
+  }
   sigma0_ = sums.sigma0();
 }
 

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <memory>
-#include <utility>
 
 #include "sigmascape/base/error.h"
 #include "sigmascape/base/interruption.h"
@@ -16,7 +15,6 @@
 #include "sigmascape/render/line_of_sight.h"
 #include "sigmascape/render/reflecting_ground.h"
 #include "sigmascape/render/sight_map.h"
-#include "sigmascape/render/strip_sight_map.h"
 
 namespace sigmascape::render {
 namespace {
@@ -63,19 +61,13 @@ SeenSigma0 seen(const AtlasReflectivity& textures, const terrain::HeightField& t
           .with_buildings(buildings.get());
   // What hides is known no finer than its cells: two steps a cell find its edges.
   const double step_m = std::max(side_m, ground.told_cell_m() / 2.0);
-  const auto seen_by = [&](auto sights) -> SeenSigma0 {
-    return [&request, ground, buildings, sights = std::move(sights)](Vec3d point, ReflectingGround::Looks& looks) {
-      const Vec3d radar = request.vantage.place_for({point.x, point.y});
-      return ground.seen_from(radar).sigma0(point, wrapped_azimuth(azimuth_to(radar, point)),
-                                            sights->at({point.x, point.y}), looks);
-    };
+  const auto sights = std::make_shared<const SightMap>(ground, request.vantage, terrain.extent(), request.area, step_m,
+                                                       request.threads);
+  return [&request, ground, buildings, sights](Vec3d point, ReflectingGround::Looks& looks) {
+    const Vec3d radar = request.vantage.place_for({point.x, point.y});
+    return ground.seen_from(radar).sigma0(point, wrapped_azimuth(azimuth_to(radar, point)),
+                                          sights->at({point.x, point.y}), looks);
   };
-  if (request.vantage.beams()) {
-    return seen_by(std::make_shared<const StripSightMap>(ground, request.vantage, terrain.extent(), request.area,
-                                                         step_m, request.threads));
-  }
-  return seen_by(std::make_shared<const SightMap>(ground, request.vantage.place_for(middle), terrain.extent(),
-                                                  request.area, step_m, request.threads));
 }
 
 }  // namespace

@@ -17,9 +17,6 @@ class SightGrid {
   SightGrid(std::size_t first_step, std::size_t steps, std::size_t lines)
       : first_step_(first_step), parts_(steps, lines) {}
 
-  [[nodiscard]] bool empty() const { return parts_.empty(); }
-  [[nodiscard]] std::size_t lines() const { return parts_.rows(); }
-
   /// One thread a line.
   void put(std::size_t step, std::size_t line, const terrain::Sight& sight) {
     if (step < first_step_ || step - first_step_ >= parts_.columns()) return;

@@ -1,0 +1,65 @@
+#include "sigmascape/render/skyline.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sigmascape/base/parallel.h"
+#include "sigmascape/radar/look.h"
+#include "sigmascape/terrain/ground_profile.h"
+
+namespace sigmascape::render {
+
+double Skyline::slope_to(Vec3d point, Vec3d radar, const radar::CurvedEarth& earth) {
+  const double distance_m = std::hypot(point.x - radar.x, point.y - radar.y);
+  return (point.z - earth.drop_m(distance_m) - radar.z) / distance_m;
+}
+
+Skyline::Skyline(const radar::ObstacleMap& obstacles, const terrain::HeightField& terrain,
+                 const radar::Vantage& vantage, const radar::Rectangle& area, const radar::CurvedEarth& earth,
+                 unsigned threads) {
+  const double step_m = std::min(obstacles.grid.cell_m, terrain.spacing_m);
+  for (const SightLines& lines :
+       SightLines::over(area, vantage, 2.0 * aside_squares * std::min(obstacles.grid.cell_m, terrain.spacing_m))) {
+    const SightLines::Steps steps = lines.steps_over(terrain.extent(), step_m);
+    Side& side = sides_.emplace_back(lines, steps, Array2D<Slopes>(steps.kept, lines.count()));
+    parallel_for(lines.count(), thread_count(threads), [&](std::size_t line, unsigned) {
+      const Vec3d radar = lines.radar_of(line);
+      Slopes steepest;
+      std::size_t next = 0;  // of those that are kept
+      const auto keep_up_to = [&](std::size_t end) {
+        for (; next < std::min(end, steps.kept); ++next) side.slopes(next, line) = steepest;
+      };
+      terrain::GroundProfile profile(terrain, &obstacles);
+      profile.walk({.origin = {radar.x, radar.y},
+                    .direction = radar::horizontal_direction(lines.azimuth_rad(line)),
+                    .near_m = steps.start_m,
+                    .step_m = step_m,
+                    .count = steps.before + steps.kept},
+                   [&](std::size_t step, double distance_m, Vec3d point, const radar::Obstacle& obstacle) {
+                     if (step > steps.before) keep_up_to(step - steps.before);
+                     const double ground_m = point.z - earth.drop_m(distance_m) - radar.z;
+                     steepest.solid =
+                         std::max(steepest.solid, (ground_m + static_cast<double>(obstacle.solid_top_m)) / distance_m);
+                     if (obstacle.crown_top_m > 0.0F)
+                       steepest.crowns = std::max(steepest.crowns,
+                                                  (ground_m + static_cast<double>(obstacle.crown_top_m)) / distance_m);
+                   });
+      keep_up_to(steps.kept);
+    });
+  }
+}
+
+Skyline::Slopes Skyline::before(Vec2d place) const {
+  for (const Side& side : sides_) {
+    if (!side.lines.go_to(place)) continue;
+    // Step k is walked in its middle.
+    const double steps = (side.lines.distance_m(place) - side.steps.kept_from_m()) / side.steps.step_m - 0.5;
+    const double last_step = static_cast<double>(side.slopes.columns() - 1),
+                 last_line = static_cast<double>(side.slopes.rows() - 1);
+    return side.slopes(static_cast<std::size_t>(std::clamp(steps, 0.0, last_step)),
+                       static_cast<std::size_t>(std::clamp(side.lines.line_of(place), 0.0, last_line)));
+  }
+  return {};
+}
+
+}  // namespace sigmascape::render
