@@ -19,7 +19,9 @@
 
 #include "sigmascape/atlas/atlas_summary.h"
 #include "sigmascape/atlas/building_file.h"
+#include "sigmascape/atlas/building_textures.h"
 #include "sigmascape/atlas/ground_layers.h"
+#include "sigmascape/atlas/layer_store.h"
 #include "sigmascape/atlas/levels_above.h"
 #include "sigmascape/atlas/store.h"
 #include "sigmascape/atlas/terrain_file.h"
@@ -57,7 +59,7 @@ nlohmann::ordered_json json_of(const std::vector<atlas::StoreFault>& faults) {
 /// of an atlas has none of its own.
 template <typename FaultsIn>
 std::vector<atlas::StoreFault> tile_faults(const atlas::Store& atlas, const FaultsIn& faults_in) {
-  if (atlas::is_ground_of_an_atlas(atlas.description())) return {};
+  if (atlas::is_layer_of_an_atlas(atlas.description())) return {};
   const std::filesystem::path name = atlas::terrain_pyramid_name;
   std::error_code error;
   if (!std::filesystem::exists(atlas.folder() / name, error) && !error) return {{name / "", "is missing", true}};
@@ -104,8 +106,10 @@ void verify(const std::string& folder, const Output& output) {
 std::string written_text(const atlas::LevelsAbove::Written& written) {
   std::string text = fmt::format("{} above the patches written", counted(written.all(), "file", "files"));
   if (written.all() == written.looks) return text + (written.looks > 0 ? ", all of looks" : "");
-  return text + fmt::format(": {} of looks, {} of obstacles and {} of ground", written.looks, written.obstacles,
-                            written.ground);
+  const std::string of_buildings =
+      written.buildings > 0 ? fmt::format(", {} of buildings", written.buildings) : std::string();
+  return text + fmt::format(": {} of looks{}, {} of obstacles and {} of ground", written.looks, of_buildings,
+                            written.obstacles, written.ground);
 }
 
 /// What could not be made and why, to stand behind what was.
@@ -126,6 +130,7 @@ void make_pyramid(const std::string& folder, const Output& output) {
                                                                    {"looks", made.written.looks},
                                                                    {"obstacles", made.written.obstacles},
                                                                    {"ground", made.written.ground},
+                                                                   {"buildings", made.written.buildings},
                                                                    {"left_out", made.left_out},
                                                                    {"because", json_of(made.hindrances)}});
   if (made.left_out > 0) end_with(1);
@@ -143,19 +148,29 @@ nlohmann::ordered_json json_of(const atlas::AtlasSummary::Files& files) {
   return {{"files", files.planned}, {"files_done", files.done}};
 }
 
-/// Null where buildings are not kept apart.
-nlohmann::ordered_json buildings_of(const atlas::Store& atlas, const atlas::AtlasSummary& summary) {
-  if (!atlas::keeps_buildings_apart(atlas.description())) return nullptr;
-  return {{"faults", json_of(in_list(summary.buildings_fault))}};
+/// Of a layer in a store of its own. How many files it has nobody knows without its collection.
+nlohmann::ordered_json json_of(const atlas::AtlasSummary::Files& files,
+                               const std::optional<atlas::StoreFault>& of_collection) {
+  nlohmann::ordered_json json = json_of(files);
+  if (of_collection) json["files"] = nullptr;
+  json["faults"] = json_of(in_list(of_collection));
+  return json;
 }
 
-/// Null where the ground is not kept apart. How many files it has nobody knows without its collection.
+/// Null where buildings are not kept apart; so are textures of theirs where there are to be none.
+nlohmann::ordered_json buildings_of(const atlas::Store& atlas, const atlas::AtlasSummary& summary) {
+  if (!atlas::keeps_buildings_apart(atlas.description())) return nullptr;
+  nlohmann::ordered_json buildings = {{"faults", json_of(in_list(summary.buildings_fault))}};
+  buildings["textures"] = nullptr;
+  if (!atlas::keeps_building_textures(atlas.description())) return buildings;
+  buildings["textures"] = json_of(summary.building_textures, summary.building_textures_fault);
+  return buildings;
+}
+
+/// Null where the ground is not kept apart.
 nlohmann::ordered_json ground_of(const atlas::Store& atlas, const atlas::AtlasSummary& summary) {
   if (!atlas::keeps_ground_apart(atlas)) return nullptr;
-  nlohmann::ordered_json ground = json_of(summary.ground);
-  if (summary.ground_fault) ground["files"] = nullptr;
-  ground["faults"] = json_of(in_list(summary.ground_fault));
-  return ground;
+  return json_of(summary.ground, summary.ground_fault);
 }
 
 nlohmann::ordered_json summary_of(const atlas::Store& store, const atlas::AtlasSummary& summary) {
@@ -243,6 +258,10 @@ std::string text_of(const atlas::Store& store, const atlas::AtlasSummary& summar
   if (atlas::keeps_ground_apart(store)) {
     line("obstacles", files_text(summary.obstacles));
     line("ground", summary.ground_fault ? faults_text({*summary.ground_fault}) : files_text(summary.ground));
+  }
+  if (atlas::keeps_building_textures(atlas)) {
+    line("buildings' looks", summary.building_textures_fault ? faults_text({*summary.building_textures_fault})
+                                                             : files_text(summary.building_textures));
   }
   if (atlas::keeps_buildings_apart(atlas))
     line("buildings", summary.buildings_fault ? faults_text({*summary.buildings_fault}) : "all there");

@@ -125,10 +125,11 @@ void BakeOptions::add_what_stands(Command command) {
                   "what objects stand on while they are baked: their own terrain, or level ground; always level "
                   "with --shadows baked")
       .default_str("terrain");
-  add_word_option(command, "--buildings", buildings,
-                  {{"baked", bake::Buildings::Baked}, {"apart", bake::Buildings::Apart}},
-                  "what they return directly: baked as all else, or made at run time from walls and roofs, which are "
-                  "stored then; not for live frames yet")
+  add_word_option(
+      command, "--buildings", buildings,
+      {{"baked", bake::Buildings::Baked}, {"apart", bake::Buildings::Apart}, {"both", bake::Buildings::Both}},
+      "what they return directly: baked as all else; made at run time from walls and roofs, which are "
+      "stored then, for maps closer between looks but no live frames; or both, for either")
       .default_str("baked");
 }
 

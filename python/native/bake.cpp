@@ -41,6 +41,13 @@ bool is_second(const char* name, const std::string& word, const char* first, con
   return word == second;
 }
 
+bake::Buildings buildings_from(const std::string& word) {
+  if (word == "both") return bake::Buildings::Both;
+  if (word == "apart") return bake::Buildings::Apart;
+  if (word == "baked") return bake::Buildings::Baked;
+  throw Error("buildings", "is '" + word + "'", "give 'baked', 'apart' or 'both'");
+}
+
 /// Rays by number, or by the standard error that they are to bring: one of the two, as on the command line.
 bake::Sampling sampling_from(std::optional<RaysATexel> samples, std::optional<double> target_db,
                              std::optional<MostSamples> most_samples) {
@@ -81,8 +88,7 @@ bake::BakeReport baked(const LoadedScene& scene, const std::filesystem::path& fo
   settings.max_bounces = bounces;
   settings.seed = seed;
   settings.shadows = is_second("shadows", shadows, "run-time", "baked") ? bake::Shadows::Baked : bake::Shadows::RunTime;
-  settings.buildings =
-      is_second("buildings", buildings, "baked", "apart") ? bake::Buildings::Apart : bake::Buildings::Baked;
+  settings.buildings = buildings_from(buildings);
   settings.noise = is_second("noise", noise, "own", "shared") ? bake::Noise::Shared : bake::Noise::Own;
   settings.mantissa_bits = mantissa_bits;
   settings.digits = is_second("digits", digits, "to-noise", "all") ? atlas::Digits::All : atlas::Digits::ToNoise;
@@ -136,8 +142,8 @@ void add_bake(py::module_& module) {
       "samples: rays a texel everywhere; None: as many as bring its standard error to target_db (0.4 when None),\n"
       "most_samples (128 when None) at most.\n"
       "bounces: surfaces a path may meet. shadows: of objects on the ground, made at 'run-time' or 'baked'.\n"
-      "buildings: what they return directly, 'baked' as all else, or made at run time from walls and roofs, 'apart'; "
-      "not for live\nframes yet.\n"
+      "buildings: what they return directly, 'baked' as all else; made at run time from walls and roofs, 'apart', for "
+      "maps closer\nbetween looks but no live frames; or 'both', for either.\n"
       "noise: of what came over several surfaces, 'own', or 'shared' where texels share what their rays leave in "
       "doubt.\n"
       "digits: of texels, those that their standard errors do not drown, 'to-noise', or 'all', mantissa_bits at most.\n"

@@ -396,7 +396,7 @@ class LiveReceiver:
 def bake(scene: Scene, folder: _Path, *, azimuths: int = 8, elevations_deg: Sequence[float] = ..., frequencies_ghz: Sequence[float] = ...,
          texel_m: float = ..., patch_texels: int = 512, samples: int | None = None, target_db: float | None = None, most_samples: int | None = None,
          bounces: int = 8, seed: int = 1, shadows: Literal["run-time", "baked"] = "run-time",
-         buildings: Literal["baked", "apart"] = "baked", noise: Literal["own", "shared"] = "own", mantissa_bits: int = 10,
+         buildings: Literal["baked", "apart", "both"] = "baked", noise: Literal["own", "shared"] = "own", mantissa_bits: int = 10,
          digits: Literal["to-noise", "all"] = "to-noise", shard: str = "0/1", threads: int = 0,
          progress: _Progress = None) -> BakeReport: ...
 def render(scene: Scene | None, radar: Radar, *, lod: int | None = None, atlas: Atlas | None = None, targets: Sequence[Target] = (),

@@ -176,9 +176,25 @@ TEST_F(BakeCommand, BuildingsThatAreKeptApartAreToldVerifiedAndMended) {
   EXPECT_EQ(info_of("apart").at("buildings").at("faults").size(), 1U);
   EXPECT_THAT(run(bake_line("apart", options)).printed, HasSubstr("buildings.glb"));
   EXPECT_EQ(run(verify).code, 0);
+  EXPECT_TRUE(info_of("apart").at("buildings").at("textures").is_null());
   const Ended refused = run(bake_line("level", options + " --footing level"));
   EXPECT_EQ(refused.code, 1);
   EXPECT_THAT(refused.printed, HasSubstr("let objects stand on their own terrain"));
+}
+
+TEST_F(BakeCommand, BuildingsThatAreKeptApartAndBakedAreToldAndVerified) {
+  const std::string options = std::string(one_coarse_look) + " --samples 2 --bounces 2 --buildings both";
+  ASSERT_EQ(baked("both", options).at("looks"), 4);
+  const nlohmann::json told = info_of("both").at("buildings");
+  EXPECT_EQ(told.at("faults").size(), 0U);
+  EXPECT_EQ(told.at("textures").at("files_done"), told.at("textures").at("files"));
+  const std::string verify = line("atlas verify", folder_.path("both").string());
+  EXPECT_EQ(run(verify).code, 0);
+  std::filesystem::remove(folder_.path("both") / "buildings" / "collection.json");
+  EXPECT_THAT(run(verify).printed, HasSubstr("buildings/collection.json is missing"));
+  EXPECT_TRUE(info_of("both").at("buildings").at("textures").at("files").is_null());
+  EXPECT_THAT(run(bake_line("both", options)).printed, Not(HasSubstr("rays")));
+  EXPECT_EQ(run(verify).code, 0);
 }
 
 TEST_F(BakeCommand, TheGroundOfAnAtlasLacksNoTerrainOfItsOwn) {

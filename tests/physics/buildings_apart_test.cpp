@@ -1,9 +1,11 @@
 // Buildings that are kept apart from textures: what a map shows of them is held against what follows from their walls
 // and roofs, 4π f cos² θ over what of them is seen, and against the path-traced map of the same scene.
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <optional>
+#include <vector>
 
 #include "physics/level_scene.h"
 #include "scratch_folder.h"
@@ -19,6 +21,7 @@
 #include "sigmascape/render/building_layer.h"
 #include "sigmascape/render/ground_scatterers.h"
 #include "sigmascape/render/live_ground.h"
+#include "sigmascape/render/live_renderer.h"
 #include "sigmascape/scene/building_extrusion.h"
 #include "sigmascape/simulate/simulate.h"
 
@@ -345,7 +348,39 @@ TEST(BuildingsApart, AreRefusedByLiveFrames) {
   bake::bake(scene, settings_of(bake::Buildings::Apart, 1), folder.path("atlas"), silent);
   const std::string told =
       message_of_error([&] { static_cast<void>(render::LiveGround::open(folder.path("atlas"), frequency_hz)); });
-  EXPECT_NE(told.find("bake an atlas without --buildings apart for live frames"), std::string::npos) << told;
+  EXPECT_NE(told.find("bake an atlas with --buildings both"), std::string::npos) << told;
+}
+
+/// What every bin of a live frame over an atlas of that scene has on average.
+std::vector<float> frame_of(const scene::Scene& scene, bake::Buildings buildings) {
+  const ScratchFolder folder;
+  SilentProgress silent;
+  bake::bake(scene, settings_of(buildings, 3), folder.path("atlas"), silent);
+  const auto ground = render::LiveGround::open(folder.path("atlas"), frequency_hz);
+  render::LiveRenderer renderer(
+      ground,
+      {.content = render::FrameContent::Powers, .beams = 64, .ranges = 64, .beam_step_rad = 2e-3, .range_step_m = 4.0});
+  const radar::Radar radar = radar_at(100.0, 22.0);
+  const Vec3d away = radar.position;
+  const render::Pose pose{.position = away * (2000.0 / length(away)),
+                          .first_azimuth_rad = std::atan2(-away.x, -away.y) - 0.064,
+                          .first_range_m = 1872.0};
+  static_cast<void>(renderer.render(pose));
+  ground->wait_until_loaded();
+  const auto powers_m2 = renderer.render(pose).powers_m2;
+  return {powers_m2.begin(), powers_m2.end()};
+}
+
+// The textures of buildings and those of all else add up to what one texture of both has.
+TEST(BuildingsApart, AreInLiveFramesFromTexturesOfTheirOwn) {
+  scene::Scene scene = level_scene(lambert("black", 0.0), 256.0);
+  put(scene, {{}, 30.0, 18.0, 12.0}, lambert("house", albedo), lambert("house", albedo));
+  const std::vector<float> with = frame_of(scene, bake::Buildings::Baked),
+                           both = frame_of(scene, bake::Buildings::Both);
+  ASSERT_EQ(both.size(), with.size());
+  const float brightest = std::ranges::max(with);
+  ASSERT_GT(brightest, 1.0F);
+  for (std::size_t i = 0; i < with.size(); ++i) EXPECT_NEAR(both[i], with[i], 2e-3F * with[i] + 1e-5F * brightest);
 }
 
 /// Nine houses and a tower on ground of constant gamma.

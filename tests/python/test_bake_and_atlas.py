@@ -126,21 +126,23 @@ def test_what_is_in_doubt_is_shared_or_left_where_it_fell(scene, tmp_path):
     assert not (tmp_path / "loud").exists()
 
 
-def test_buildings_that_are_kept_apart_are_in_maps_and_refused_by_live_frames(tmp_path):
+def test_buildings_that_are_kept_apart_are_in_maps_and_in_live_frames_where_they_are_baked_too(tmp_path):
     town = sigmascape.Scene.paper(scale=0.1, materials="itu")
     options = dict(azimuths=1, elevations_deg=[30.0], texel_m=2.0, patch_texels=256, samples=8, bounces=1, progress=False)
     radar = sigmascape.Radar(range_resolution_m=2.0, beam_width_deg=0.1, cell_m=2.0)
     radar.see_from(azimuth_deg=0.0, elevation_deg=30.0, slant_range_m=2500.0)
     power = {}
-    for buildings in ["baked", "apart"]:
+    for buildings in ["baked", "apart", "both"]:
         sigmascape.bake(town, tmp_path / buildings, buildings=buildings, **options)
         map_of_town = sigmascape.render(town, radar, atlas=sigmascape.Atlas(tmp_path / buildings), progress=False)
         power[buildings] = np.nansum(map_of_town.vv)
     assert (tmp_path / "apart" / "buildings.glb").exists() and not (tmp_path / "baked" / "buildings.glb").exists()
     assert power["apart"] == pytest.approx(power["baked"], rel=0.05)
+    assert power["both"] == power["apart"]
+    assert sigmascape.LiveGround(tmp_path / "both")
     with pytest.raises(sigmascape.Error, match="keeps its buildings apart"):
         sigmascape.LiveGround(tmp_path / "apart")
-    with pytest.raises(sigmascape.Error, match="buildings: is 'away'; give 'baked' or 'apart'"):
+    with pytest.raises(sigmascape.Error, match="buildings: is 'away'; give 'baked', 'apart' or 'both'"):
         sigmascape.bake(town, tmp_path / "away", buildings="away", **options)
 
 

@@ -5,7 +5,9 @@
 #include <system_error>
 
 #include "sigmascape/atlas/building_file.h"
+#include "sigmascape/atlas/building_textures.h"
 #include "sigmascape/atlas/ground_layers.h"
+#include "sigmascape/atlas/layer_store.h"
 #include "sigmascape/atlas/obstacle_file.h"
 #include "sigmascape/atlas/pyramid.h"
 #include "sigmascape/atlas/stac_item.h"
@@ -60,13 +62,13 @@ AtlasSummary::Files obstacles_of(const Store& atlas) {
   return files;
 }
 
-AtlasSummary::Files ground_of(const Store& atlas) {
-  const Store ground = open_ground_store(atlas);
-  const PatchBlock patches = ground.description().patches.block_over(ground.description().extent);
-  const std::size_t looks = ground.description().aspects.look_count();
-  AtlasSummary::Files textures = textures_above(ground);
+/// Of a layer of an atlas.
+AtlasSummary::Files all_textures_of(const Store& layer) {
+  const PatchBlock patches = layer.description().patches.block_over(layer.description().extent);
+  const std::size_t looks = layer.description().aspects.look_count();
+  AtlasSummary::Files textures = textures_above(layer);
   for (std::size_t number = 0; number < patches.size(); ++number) {
-    for (LookIndex look = 0; look < looks; ++look) count(ground.is_done(patches[number], look), textures);
+    for (LookIndex look = 0; look < looks; ++look) count(layer.is_done(patches[number], look), textures);
   }
   return textures;
 }
@@ -98,12 +100,16 @@ AtlasSummary summary_of(const Store& store) {
 
   summary.pyramid_levels = Pyramid(store).levels();
   summary.pyramid = textures_above(store);
-  if (!is_ground_of_an_atlas(store.description())) summary.terrain_fault = terrain_fault(store, Scrutiny::Size);
+  if (!is_layer_of_an_atlas(store.description())) summary.terrain_fault = terrain_fault(store, Scrutiny::Size);
   if (keeps_buildings_apart(store.description())) summary.buildings_fault = buildings_fault(store, Scrutiny::Size);
+  if (keeps_building_textures(store.description())) {
+    summary.building_textures_fault = building_textures_fault(store);
+    if (!summary.building_textures_fault) summary.building_textures = all_textures_of(open_building_textures(store));
+  }
   if (!keeps_ground_apart(store)) return summary;
   summary.obstacles = obstacles_of(store);
   summary.ground_fault = ground_collection_fault(store);
-  if (!summary.ground_fault) summary.ground = ground_of(store);
+  if (!summary.ground_fault) summary.ground = all_textures_of(open_ground_store(store));
   return summary;
 }
 

@@ -28,8 +28,12 @@ struct AtlasSummary {
   std::optional<StoreFault> terrain_fault = {};  ///< of `terrain.tif`; its content is not looked at, nor are tiles
   /// Of `buildings.glb`, where buildings are kept apart; its content is not looked at.
   std::optional<StoreFault> buildings_fault = {};
-  std::uint64_t bytes = 0;      ///< of everything in the folder
-  double bytes_per_look = 0.0;  ///< mean size of the textures of patches
+  /// Textures of what buildings return, of patches and above them, where these have such; none is known to be planned
+  /// where there is a fault of their collection.
+  Files building_textures;
+  std::optional<StoreFault> building_textures_fault = {};  ///< of that collection
+  std::uint64_t bytes = 0;                                 ///< of everything in the folder
+  double bytes_per_look = 0.0;                             ///< mean size of the textures of patches
   /// Of the finest texels of all looks done whose items tell: those of ground do not, nor do those of a former kind.
   PowerErrors errors;
   std::size_t looks_told = 0;  ///< of those done, the ones whose items tell

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "sigmascape/atlas/building_file.h"
+#include "sigmascape/atlas/building_textures.h"
 #include "sigmascape/atlas/ground_layers.h"
 #include "sigmascape/atlas/stac_catalog.h"
 #include "sigmascape/atlas/stac_description.h"
@@ -37,8 +38,8 @@ bool is_collection(const std::filesystem::path& file) {
   }
 }
 
-/// Whether nothing is in the folder of the ground but what a store has. Places have names that nobody else gives.
-bool is_ground(const std::filesystem::path& folder) {
+/// Whether nothing is in the folder of a layer but what a store has. Places have names that nobody else gives.
+bool is_layer(const std::filesystem::path& folder) {
   const auto is_of_store = [](const std::filesystem::directory_entry& entry) {
     const std::string name = entry.path().filename().string();
     return name == collection_name
@@ -66,7 +67,11 @@ std::optional<std::string> file_of_others(const std::filesystem::path& folder, c
   const std::filesystem::path pyramid = terrain_pyramid_name;
   if (is_there(pyramid) && !is_there(pyramid / "pyramid.toml") && !is_there(pyramid / "unfinished.toml"))
     return pyramid.string();
-  if (is_there(ground_folder) && !is_ground(folder / ground_folder)) return ground_folder;
+  std::vector<std::filesystem::path> layers = {ground_folder};
+  if (keeps_building_textures(description)) layers.emplace_back(building_textures_folder);
+  for (const std::filesystem::path& layer : layers) {
+    if (is_there(layer) && !is_layer(folder / layer)) return layer.string();
+  }
   return std::nullopt;
 }
 

@@ -1,15 +1,11 @@
 #include "sigmascape/atlas/ground_layers.h"
 
 #include <filesystem>
-#include <system_error>
 #include <utility>
 
 #include "sigmascape/atlas/building_file.h"
+#include "sigmascape/atlas/layer_store.h"
 #include "sigmascape/atlas/obstacle_file.h"
-#include "sigmascape/atlas/stac_catalog.h"
-#include "sigmascape/atlas/texture_file.h"
-#include "sigmascape/base/error.h"
-#include "sigmascape/geo/atomic_file.h"
 
 namespace sigmascape::atlas {
 namespace {
@@ -35,36 +31,13 @@ radar::ObstacleMap load_obstacles(const Store& atlas) {
   return map;
 }
 
-AtlasDescription ground_description(const Store& atlas, const std::vector<double>& elevations_rad) {
-  AtlasDescription description = atlas.description();
-  description.name += ", ground alone";
-  description.aspects = {{0.0}, elevations_rad, atlas.description().aspects.frequencies_hz};
-  description.settings = {{layer_setting, "ground without what stands on it, from any azimuth"}};
-  if (atlas.description().settings.contains(physics_revision_setting))
-    description.settings[physics_revision_setting] = atlas.description().physics_revision();
-  return description;
-}
-
-/// As faults of an atlas name it.
-std::filesystem::path collection_of_ground() {
-  return std::filesystem::path(ground_folder) / collection_name;
-}
-
-/// What is wrong with the collection in a folder, if there is one, that should say this.
-std::optional<StoreFault> fault_against(const std::filesystem::path& folder, const AtlasDescription& description) {
-  try {
-    static_cast<void>(Store::find(folder, description));
-    return std::nullopt;
-  } catch (const Error&) {
-    return StoreFault{collection_of_ground(), "was altered: it does not say what follows from the atlas"};
-  }
+LayerStore layer_of(const Store& atlas, const std::vector<double>& elevations_rad) {
+  return {ground_folder,
+          layer_description(atlas.description(), "ground", "ground without what stands on it, from any azimuth",
+                            {{0.0}, elevations_rad, atlas.description().aspects.frequencies_hz})};
 }
 
 }  // namespace
-
-bool is_ground_of_an_atlas(const AtlasDescription& description) {
-  return description.settings.contains(layer_setting);
-}
 
 bool keeps_ground_apart(const AtlasDescription& description) {
   const auto setting = description.settings.find(shadows_setting);
@@ -79,24 +52,12 @@ radar::FromAfar from_afar(const AtlasDescription& description) {
 
 Store create_ground_store(const Store& atlas, const std::vector<double>& elevations_rad,
                           std::vector<StoreFault>* mended) {
-  const AtlasDescription description = ground_description(atlas, elevations_rad);
-  const std::filesystem::path folder = ground_folder_of(atlas);
-  if (const auto fault = fault_against(folder, description)) {
-    geo::write_atomically(folder / collection_name, collection_text(description));
-    if (mended != nullptr) mended->push_back(*fault);
-  }
-  return Store::create(folder, description);
+  return create_layer_store(atlas, layer_of(atlas, elevations_rad), mended);
 }
 
 std::optional<StoreFault> ground_collection_fault(const Store& atlas) {
-  const std::filesystem::path folder = ground_folder_of(atlas);
-  try {
-    return fault_against(folder, ground_description(atlas, Store::open(folder).description().aspects.elevations_rad));
-  } catch (const Error&) {
-    const std::error_code error = text_of(folder / collection_name).error;
-    if (is_nothing_there(error)) return StoreFault{collection_of_ground(), "is missing"};
-    return StoreFault{collection_of_ground(), error ? cannot_be_read(error) : "is truncated or was altered"};
-  }
+  if (auto fault = unread_collection_fault(atlas, ground_folder)) return fault;
+  return layer_collection_fault(atlas, layer_of(atlas, open_ground_store(atlas).description().aspects.elevations_rad));
 }
 
 std::filesystem::path ground_folder_of(const Store& atlas) {

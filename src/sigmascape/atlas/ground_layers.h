@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "sigmascape/atlas/atlas.h"
@@ -30,10 +31,6 @@ inline constexpr const char* shadows_at_run_time = "run-time";
 inline constexpr const char* footing_setting = "footing";
 inline constexpr const char* footing_on_terrain = "terrain";
 
-/// What tells that a store is the ground of an atlas, in a folder of it.
-inline constexpr const char* layer_setting = "layer";
-[[nodiscard]] bool is_ground_of_an_atlas(const AtlasDescription& description);
-
 [[nodiscard]] bool keeps_ground_apart(const AtlasDescription& description);
 [[nodiscard]] inline bool keeps_ground_apart(const Store& store) {
   return keeps_ground_apart(store.description());
@@ -51,7 +48,7 @@ inline constexpr const char* layer_setting = "layer";
 /// What is wrong with the collection of the ground's store, if anything: by itself, and held against the atlas.
 [[nodiscard]] std::optional<StoreFault> ground_collection_fault(const Store& atlas);
 
-inline constexpr const char* ground_folder = "ground";
+inline constexpr std::string_view ground_folder = "ground";
 [[nodiscard]] std::filesystem::path ground_folder_of(const Store& atlas);
 /// Throws Error when there is none.
 [[nodiscard]] Store open_ground_store(const Store& atlas);

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <filesystem>
 #include <iterator>
+#include <string_view>
 #include <utility>
 
+#include "sigmascape/atlas/building_textures.h"
 #include "sigmascape/atlas/catalogs.h"
 #include "sigmascape/atlas/ground_layers.h"
 #include "sigmascape/atlas/obstacle_file.h"
@@ -43,11 +45,11 @@ Made make_levels_of_obstacles(const Store& atlas, Scrutiny scrutiny) {
   return {written, notes.left_out.size(), pyramid.hindrances(notes.left_out)};
 }
 
-Made make_levels_of_ground(const Store& atlas, Scrutiny scrutiny) {
-  const std::filesystem::path folder = ground_folder_of(atlas);
-  if (!std::filesystem::exists(folder)) return {};
-  Made made = make_levels_of(open_ground_store(atlas), scrutiny);
-  for (StoreFault& fault : made.hindrances) fault.file = folder.filename() / fault.file;
+/// Of a layer in that folder of an atlas.
+Made make_levels_of_layer(const Store& atlas, std::string_view folder, Scrutiny scrutiny) {
+  if (!std::filesystem::exists(atlas.folder() / folder)) return {};
+  Made made = make_levels_of(Store::open(atlas.folder() / folder), scrutiny);
+  for (StoreFault& fault : made.hindrances) fault.file = folder / fault.file;
   return made;
 }
 
@@ -63,9 +65,11 @@ std::size_t note(Made made, LevelsAbove& levels) {
 LevelsAbove make_levels_above(const Store& atlas, Scrutiny scrutiny) {
   LevelsAbove levels;
   levels.written.looks = note(make_levels_of(atlas, scrutiny), levels);
+  if (keeps_building_textures(atlas.description()))
+    levels.written.buildings = note(make_levels_of_layer(atlas, building_textures_folder, scrutiny), levels);
   if (!keeps_ground_apart(atlas)) return levels;
   levels.written.obstacles = note(make_levels_of_obstacles(atlas, scrutiny), levels);
-  levels.written.ground = note(make_levels_of_ground(atlas, scrutiny), levels);
+  levels.written.ground = note(make_levels_of_layer(atlas, ground_folder, scrutiny), levels);
   return levels;
 }
 

@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include "sigmascape/atlas/building_file.h"
+#include "sigmascape/atlas/building_textures.h"
 #include "sigmascape/atlas/ground_layers.h"
+#include "sigmascape/atlas/layer_store.h"
 #include "sigmascape/atlas/obstacle_file.h"
 #include "sigmascape/atlas/stac_description.h"
 #include "sigmascape/atlas/stac_document.h"
@@ -49,7 +51,7 @@ Json former_links_of_collection(const AtlasDescription& description) {
 }
 
 Json links_of_collection(const AtlasDescription& description) {
-  if (is_ground_of_an_atlas(description)) {
+  if (is_layer_of_an_atlas(description)) {
     const std::string above = root_of(description).generic_string();
     Json links = Json::array({link("root", above), link("parent", above)});
     link_coarsest_level(description, links);
@@ -58,6 +60,8 @@ Json links_of_collection(const AtlasDescription& description) {
   Json links = former_links_of_collection(description);
   if (keeps_ground_apart(description))
     links.push_back(link("child", fmt::format("./{}/{}", ground_folder, collection_name)));
+  if (keeps_building_textures(description))
+    links.push_back(link("child", fmt::format("./{}/{}", building_textures_folder, collection_name)));
   links.push_back(link("item", "./" + item_path(terrain_name).generic_string()));
   if (keeps_buildings_apart(description))
     links.push_back(link("item", "./" + item_path(buildings_name).generic_string()));
@@ -116,7 +120,7 @@ std::filesystem::path catalog_path(const PyramidTile& tile) {
 
 std::filesystem::path root_of(const AtlasDescription& description) {
   const std::filesystem::path collection = collection_name;
-  return is_ground_of_an_atlas(description) ? ".." / collection : collection;
+  return is_layer_of_an_atlas(description) ? ".." / collection : collection;
 }
 
 std::string collection_text(const AtlasDescription& description) {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "sigmascape/atlas/building_file.h"
+#include "sigmascape/atlas/building_textures.h"
 #include "sigmascape/atlas/catalogs.h"
 #include "sigmascape/atlas/ground_layers.h"
 #include "sigmascape/atlas/power_error.h"
@@ -47,7 +48,8 @@ std::map<std::string, std::string> settings_in_words(const BakeSettings& setting
   // An atlas that tells none is of the first.
   if (physics_revision > 1) words[atlas::physics_revision_setting] = std::to_string(physics_revision);
   if (settings.noise == Noise::Shared) words["noise"] = "shared";
-  if (settings.buildings == Buildings::Apart) words[atlas::buildings_setting] = atlas::buildings_apart;
+  if (settings.buildings != Buildings::Baked) words[atlas::buildings_setting] = atlas::buildings_apart;
+  if (settings.buildings == Buildings::Both) words[atlas::building_textures_setting] = atlas::building_textures_kept;
   if (sampling.is_adaptive()) {
     words["samples_per_texel"] = fmt::format("{} to {}", pilot_samples, sampling.most_samples);
     words["target_db"] = fmt::format("{}", sampling.target_db);
@@ -75,12 +77,14 @@ class BakeRun {
   BakeReport report(const scene::Scene& scene) {
     if (settings_.shadows == Shadows::RunTime)
       ground_.emplace(scene, store_.description().aspects, store_.description().patches);
+    if (settings_.buildings == Buildings::Both)
+      buildings_.emplace(atlas::create_building_textures(store_, &report_.mended));
     // Before anything is written, which would make the catalogs above it without a word.
     mend_catalogs();
     const std::vector<OpenJob> open = open_jobs();
     tell_progress();
     make_terrain(scene);
-    if (settings_.buildings == Buildings::Apart) make_buildings(scene);
+    if (settings_.buildings != Buildings::Baked) make_buildings(scene);
     if (settings_.shadows == Shadows::RunTime) {
       for (atlas::StoreFault& fault : bake_ground(scene, store_, share_.shard, share_.scrutiny, &progress_))
         note(std::move(fault));
@@ -113,7 +117,8 @@ class BakeRun {
   };
 
   [[nodiscard]] bool is_done(const Job& job, atlas::LookIndex look) const {
-    return store_.is_done(job.patch, look, share_.scrutiny);
+    return store_.is_done(job.patch, look, share_.scrutiny) &&
+           (!buildings_ || buildings_->is_done(job.patch, look, share_.scrutiny));
   }
 
   /// Jobs of the share of which some look is not there. Counts the looks that are.
@@ -173,30 +178,49 @@ class BakeRun {
   }
 
   void write(atlas::PatchIndex patch, atlas::LookIndex number, const BakedLook& look) {
-    if (auto fault = atlas::texture_fault(store_, store_.texture_path(patch, number), share_.scrutiny))
-      note(std::move(*fault));
     atlas::PowerError error = atlas::power_error(look.sigma0, look.relative_errors, relative_target());
     if (ground_) error.ground_power = ground_->power_of(patch, number);
-    store_.write(patch, number, look.sigma0,
-                 {.seed = settings_.seed,
-                  .samples_per_texel = look.samples_per_texel,
-                  .simd = trace::simd_setting(),
-                  .counts = {},
-                  .error = error},
-                 look.relative_errors);
+    if (look.buildings) write(*buildings_, patch, number, *look.buildings, look.samples_per_texel, {});
+    write(store_, patch, number, look, look.samples_per_texel, error);
     report_.errors.add(number, error);
     ++baked_;
+  }
+
+  void write(const atlas::Store& store, atlas::PatchIndex patch, atlas::LookIndex look, const BakedTexels& texels,
+             double samples_per_texel, const std::optional<atlas::PowerError>& error) {
+    if (auto fault = atlas::texture_fault(store, store.texture_path(patch, look), share_.scrutiny))
+      note(*std::move(fault), store);
+    store.write(patch, look, texels.sigma0,
+                {.seed = settings_.seed,
+                 .samples_per_texel = samples_per_texel,
+                 .simd = trace::simd_setting(),
+                 .counts = {},
+                 .error = error},
+                texels.relative_errors);
   }
 
   void note(atlas::StoreFault fault) {
     if (!fault.is_absent) report_.mended.push_back(std::move(fault));
   }
+  /// Of the atlas or of its layer of buildings.
+  void note(atlas::StoreFault fault, const atlas::Store& store) {
+    fault.file = store.folder().lexically_relative(store_.folder()) / fault.file;
+    note({.file = fault.file.lexically_normal(), .what = std::move(fault.what), .is_absent = fault.is_absent});
+  }
 
   void mend_catalogs() {
-    for (atlas::StoreFault& fault : atlas::mend_catalogs(
-             store_, share_.scrutiny, [this](std::size_t number) { return share_.shard.has(number); })) {
-      note(std::move(fault));
+    for (const atlas::Store* store : stores()) {
+      for (atlas::StoreFault& fault : atlas::mend_catalogs(
+               *store, share_.scrutiny, [this](std::size_t number) { return share_.shard.has(number); })) {
+        note(std::move(fault), *store);
+      }
     }
+  }
+
+  /// Those that hold looks.
+  [[nodiscard]] std::vector<const atlas::Store*> stores() const {
+    if (buildings_) return {&store_, &*buildings_};
+    return {&store_};
   }
 
   void make_terrain(const scene::Scene& scene) {
@@ -261,9 +285,11 @@ class BakeRun {
   }
 
   void remove_leftovers(const Job& job) const {
-    for (const atlas::LookIndex look : job.looks) {
-      const std::filesystem::path texture = store_.folder() / store_.texture_path(job.patch, look);
-      geo::remove_leftovers(texture.parent_path(), texture.stem().string());
+    for (const atlas::Store* store : stores()) {
+      for (const atlas::LookIndex look : job.looks) {
+        const std::filesystem::path texture = store->folder() / store->texture_path(job.patch, look);
+        geo::remove_leftovers(texture.parent_path(), texture.stem().string());
+      }
     }
   }
 
@@ -276,27 +302,29 @@ class BakeRun {
   }
 
   void make_levels_above() {
-    const atlas::Pyramid pyramid(store_);
-    if (pyramid.levels() == 0) return;
+    if (atlas::Pyramid(store_).levels() == 0) return;
     std::size_t layers = 0;
     const auto tell = [&] {
       progress_.advanced("pyramid", static_cast<double>(layers),
-                         static_cast<double>(jobs_.aspects() * jobs_.looks_per_job()), "layers");
+                         static_cast<double>(stores().size() * jobs_.aspects() * jobs_.looks_per_job()), "layers");
     };
     tell();
-    atlas::MakingNotes notes;
-    for (std::size_t aspect = 0; aspect < jobs_.aspects(); ++aspect) {
-      std::vector<atlas::PatchIndex> patches;
-      for (std::size_t number = aspect; number < jobs_.size(); number += jobs_.aspects()) {
-        if (share_of_jobs_.has(number)) patches.push_back(jobs_[number].patch);
+    for (const atlas::Store* store : stores()) {
+      const atlas::Pyramid pyramid(*store);
+      atlas::MakingNotes notes;
+      for (std::size_t aspect = 0; aspect < jobs_.aspects(); ++aspect) {
+        std::vector<atlas::PatchIndex> patches;
+        for (std::size_t number = aspect; number < jobs_.size(); number += jobs_.aspects()) {
+          if (share_of_jobs_.has(number)) patches.push_back(jobs_[number].patch);
+        }
+        for (const atlas::LookIndex look : jobs_[aspect].looks) {
+          report_.pyramid += pyramid.make_above(patches, look, share_.scrutiny, &notes);
+          ++layers;
+          tell();
+        }
       }
-      for (const atlas::LookIndex look : jobs_[aspect].looks) {
-        report_.pyramid += pyramid.make_above(patches, look, share_.scrutiny, &notes);
-        ++layers;
-        tell();
-      }
+      for (atlas::StoreFault& fault : notes.mended) note(std::move(fault), *store);
     }
-    for (atlas::StoreFault& fault : notes.mended) note(std::move(fault));
   }
 
   /// A target is one for what the rays of a cell return (docs/decisions/0015-adaptive-sampling.md), so that texels may
@@ -314,7 +342,8 @@ class BakeRun {
   JobList jobs_;
   JobShare share_of_jobs_;
   Claims claims_;
-  std::optional<MeanGround> ground_;  // where it is kept apart
+  std::optional<MeanGround> ground_;       // where it is kept apart
+  std::optional<atlas::Store> buildings_;  // where what they return has textures of its own
   BakeReport report_;
   std::size_t done_ = 0, baked_ = 0;
 };
@@ -333,7 +362,7 @@ atlas::AtlasDescription description_of(const scene::Scene& scene, const BakeSett
           .digits = settings.digits,
           .attribution = scene.attribution,
           .format_version =
-              settings.buildings == Buildings::Apart ? atlas::newest_format_version : atlas::usual_format_version};
+              settings.buildings == Buildings::Baked ? atlas::usual_format_version : atlas::newest_format_version};
 }
 
 BakeReport bake(const scene::Scene& scene, const BakeSettings& settings, const std::filesystem::path& folder,

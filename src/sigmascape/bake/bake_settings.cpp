@@ -57,7 +57,7 @@ void check(const BakeSettings& settings) {
                 fmt::format("use texels of {:g} m or less",
                             longest_patch_m / static_cast<double>(settings.patches.texels_per_side)));
   }
-  if (settings.buildings == Buildings::Apart &&
+  if (settings.buildings != Buildings::Baked &&
       (settings.shadows == Shadows::Baked || settings.footing == trace::Footing::LevelPlane)) {
     throw Error(where,
                 "buildings are to be kept apart from textures whose shadows are baked, or that stand on level ground",

@@ -21,6 +21,7 @@ enum class Buildings {
   Baked,  ///< from the textures, as all else that stands on the ground
   Apart,  ///< from the buildings themselves when a map is rendered, seen from where the radar is:
           ///< docs/decisions/0171-buildings-apart.md
+  Both,   ///< so, and from textures of their own for live frames: docs/decisions/0173-live-frames-of-buildings-apart.md
 };
 
 /// What becomes of the noise that few rays leave in what comes over several surfaces.
@@ -54,7 +55,7 @@ struct BakeSettings {
   Shadows shadows = Shadows::RunTime;
   /// What objects stand on while they are baked. With Shadows::Baked it is the level plane always.
   trace::Footing footing = trace::Footing::Terrain;
-  /// Apart wants shadows made at run time and objects on their own terrain.
+  /// All but Baked want shadows made at run time and objects on their own terrain.
   Buildings buildings = Buildings::Baked;
   Noise noise = Noise::Own;
   int mantissa_bits = 10;  ///< of the stored half floats, see atlas::AtlasDescription

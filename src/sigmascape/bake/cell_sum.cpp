@@ -15,24 +15,33 @@ double total_m2(const Landed& echo) {
 
 void CellSum::add(std::span<Landed> echoes, const SamplePairs& pairs, PatchSums& patch) {
   if (power_m2_.size() < pairs.samples()) power_m2_.resize(pairs.samples());
+  if (patch.buildings) {
+    const auto apart = std::ranges::stable_partition(echoes, [](const Landed& echo) { return !echo.apart; });
+    add_to(*patch.buildings, nullptr, {apart.begin(), apart.end()}, pairs);
+    echoes = echoes.first(echoes.size() - apart.size());
+  }
+  add_to(patch.all, patch.several ? &*patch.several : nullptr, echoes, pairs);
+}
+
+void CellSum::add_to(Sums& all, Sums* several, std::span<Landed> echoes, const SamplePairs& pairs) {
   const auto place = [](const Landed& echo) { return std::tuple(echo.texel, echo.sample); };
   // On open ground they mostly are in order.
   if (!std::ranges::is_sorted(echoes, {}, place)) std::ranges::stable_sort(echoes, {}, place);
   for (auto first = echoes.begin(); first != echoes.end();) {
     const auto end = std::find_if(first, echoes.end(), [&](const Landed& echo) { return echo.texel != first->texel; });
-    add_texel({first, end}, pairs, patch);
+    add_texel(all, several, {first, end}, pairs);
     first = end;
   }
 }
 
-void CellSum::add_texel(std::span<const Landed> echoes, const SamplePairs& pairs, PatchSums& patch) {
+void CellSum::add_texel(Sums& all, Sums* several, std::span<const Landed> echoes, const SamplePairs& pairs) {
   const std::uint32_t texel = echoes.front().texel;
-  const Part all = part_of(echoes, pairs, [](const Landed&) { return true; });
-  patch.all.add(texel, all.rcs_m2, all.variance_m4);
+  const Part whole = part_of(echoes, pairs, [](const Landed&) { return true; });
+  all.add(texel, whole.rcs_m2, whole.variance_m4);
   const auto over_several = [](const Landed& echo) { return echo.several; };
-  if (!patch.several || std::ranges::none_of(echoes, over_several)) return;
-  const Part several = std::ranges::all_of(echoes, over_several) ? all : part_of(echoes, pairs, over_several);
-  patch.several->add(texel, several.rcs_m2, several.variance_m4);
+  if (several == nullptr || std::ranges::none_of(echoes, over_several)) return;
+  const Part part = std::ranges::all_of(echoes, over_several) ? whole : part_of(echoes, pairs, over_several);
+  several->add(texel, part.rcs_m2, part.variance_m4);
 }
 
 /// Of the echoes of one cell in one texel those that `counts` says.

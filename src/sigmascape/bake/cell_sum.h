@@ -15,6 +15,7 @@ struct Landed {
   std::uint32_t texel = 0;
   std::uint32_t sample = 0;
   bool several = false;    ///< came over several surfaces
+  bool apart = false;      ///< came directly from a building that is kept apart
   radar::Channels rcs_m2;  ///< as though its sample stood for the whole launch cell
 };
 
@@ -38,8 +39,11 @@ class CellSum {
     double variance_m4 = 0.0;
   };
 
+  using Sums = receiver::GroundAccumulator;
+  /// All of a kind. `several`, if not null, gets what of them came over several surfaces.
+  void add_to(Sums& all, Sums* several, std::span<Landed> echoes, const SamplePairs& pairs);
   /// The echoes of one cell in one texel, in the order of their samples.
-  void add_texel(std::span<const Landed> echoes, const SamplePairs& pairs, PatchSums& patch);
+  void add_texel(Sums& all, Sums* several, std::span<const Landed> echoes, const SamplePairs& pairs);
   template <typename Counts>
   [[nodiscard]] Part part_of(std::span<const Landed> echoes, const SamplePairs& pairs, const Counts& counts);
   [[nodiscard]] double squared_differences(std::span<const Landed> echoes, const SamplePairs& pairs) const;

@@ -38,11 +38,15 @@ trace::Footing footing_of(const scene::Scene& scene, const BakeSettings& setting
 /// 1 for texels that anything comes back from, at any frequency, 0 for others.
 Array2D<std::uint8_t> answering_texels(const radar::GroundGrid& texels, const std::vector<PatchSums>& sums) {
   Array2D<std::uint8_t> answering(texels.columns, texels.rows);
-  for (const PatchSums& of_frequency : sums) {
-    const Array2D<radar::Channels> power = of_frequency.all.sigma0();
+  const auto note = [&](const receiver::GroundAccumulator& some) {
+    const Array2D<radar::Channels> power = some.sigma0();
     for (std::size_t i = 0; i < power.size(); ++i) {
       if (power.values()[i] != radar::Channels{}) answering.values()[i] = 1;
     }
+  };
+  for (const PatchSums& of_frequency : sums) {
+    note(of_frequency.all);
+    if (of_frequency.buildings) note(*of_frequency.buildings);
   }
   return answering;
 }
@@ -73,13 +77,18 @@ void put_shared(const NoisyTexels& several, unsigned threads, NoisyTexels& all) 
   }
 }
 
-Array2D<float> relative_errors(const NoisyTexels& texels) {
+/// With errors as parts of the power.
+BakedTexels baked(NoisyTexels texels) {
   Array2D<float> errors(texels.power.columns(), texels.power.rows());
   for (std::size_t i = 0; i < errors.size(); ++i) {
     const double power = static_cast<double>(texels.power.values()[i].power(radar::Polarization::Sum));
     if (power > 0.0) errors.values()[i] = static_cast<float>(std::sqrt(texels.variance.values()[i]) / power);
   }
-  return errors;
+  return {std::move(texels.power), std::move(errors)};
+}
+
+bool is_too_bright(const PatchSums& sums) {
+  return sums.all.bins().overflows() > 0 || (sums.buildings && sums.buildings->bins().overflows() > 0);
 }
 
 }  // namespace
@@ -182,6 +191,7 @@ std::vector<BakedLook> LookBaker::bake(const radar::GroundGrid& texels, const tr
   for (std::size_t f = 0; f < surfaces_.size(); ++f) {
     PatchSums& of_frequency = sums.emplace_back(receiver::GroundAccumulator(texels));
     if (settings_.noise == Noise::Shared) of_frequency.several.emplace(texels);
+    if (settings_.buildings == Buildings::Both) of_frequency.buildings.emplace(texels);
   }
   const unsigned workers = thread_count(settings_.threads);
   const bool has_relief = footing_ == trace::Footing::Terrain;
@@ -198,17 +208,16 @@ std::vector<BakedLook> LookBaker::bake(const radar::GroundGrid& texels, const tr
   std::vector<BakedLook> looks;
   const Array2D<float> gains = has_relief ? terrain_gains(texels, sums, aspect) : Array2D<float>();
   for (const PatchSums& of_frequency : sums) {
-    if (of_frequency.all.bins().overflows() > 0) {
+    if (is_too_bright(of_frequency)) {
       throw Error(fmt::format("bake of the patch at ({:.0f}, {:.0f}) m, azimuth {:.1f}°, elevation {:.1f}°",
                               texels.extent().west_m, texels.extent().south_m, deg_from_radians(aspect.azimuth_rad),
                               deg_from_radians(aspect.elevation_rad)),
                   "a texel is brighter than the sums can hold", "use a smaller texel or a rougher material");
     }
-    BakedLook& look = looks.emplace_back();
     NoisyTexels all = texels_of(of_frequency.all, gains);
     if (of_frequency.several) put_shared(texels_of(*of_frequency.several, gains), settings_.threads, all);
-    look.relative_errors = relative_errors(all);
-    look.sigma0 = std::move(all.power);
+    BakedLook& look = looks.emplace_back(baked(std::move(all)));
+    if (of_frequency.buildings) look.buildings = baked(texels_of(*of_frequency.buildings, gains));
     look.samples_per_texel = area.cells.empty() ? 0.0 : static_cast<double>(counts.paths) / area.whole_cells();
   }
   looks.front().counts = counts;

@@ -19,12 +19,17 @@
 
 namespace sigmascape::bake {
 
-/// What was baked of one patch from one look.
-struct BakedLook {
+/// A texture of one patch.
+struct BakedTexels {
   Array2D<radar::Channels> sigma0;  ///< [column, row], north up, as PatchGrid::texels_of says
   Array2D<float> relative_errors;   ///< standard error of a texel's total power over that power; 0 where dark
-  double samples_per_texel = 0.0;   ///< mean over the launch cells, each for as much as its share
-  trace::TraceCounts counts;        ///< of all frequencies together, with the first of them
+};
+
+/// What was baked of one patch from one look.
+struct BakedLook : BakedTexels {
+  std::optional<BakedTexels> buildings;  ///< what they return directly, with Buildings::Both
+  double samples_per_texel = 0.0;        ///< mean over the launch cells, each for as much as its share
+  trace::TraceCounts counts;             ///< of all frequencies together, with the first of them
 };
 
 /// Bakes single looks of one scene, one at a time. What looks share is made once: the surface models of every frequency

@@ -10,7 +10,9 @@ namespace sigmascape::bake {
 struct PatchSums {
   receiver::GroundAccumulator all;
   /// What of it came over several surfaces; where that is asked for.
-  std::optional<receiver::GroundAccumulator> several;
+  std::optional<receiver::GroundAccumulator> several = {};
+  /// What buildings that are kept apart return directly, which is not in the above; where that is asked for.
+  std::optional<receiver::GroundAccumulator> buildings = {};
 };
 
 }  // namespace sigmascape::bake

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <numeric>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "sigmascape/atlas/error_texture.h"
@@ -23,12 +24,23 @@
 namespace sigmascape::bake {
 namespace {
 
+/// Of one frequency, compressed, a texel: of all levels of patches σ0, of the finest its standard errors, and σ0 above
+/// patches, where nothing is left out for its noise.
+struct TexelBytes {
+  double sigma0 = 0.0, errors = 0.0, above = 0.0;
+
+  TexelBytes& operator+=(const TexelBytes& other) {
+    sigma0 += other.sigma0;
+    errors += other.errors;
+    above += other.above;
+    return *this;
+  }
+};
+
 /// What a trial at one elevation gave.
 struct Trial {
   double seconds_per_cell = 0.0;  // of all frequencies together
-  // Of one frequency, compressed; of all levels of patches σ0, of the finest its standard errors, and σ0 above patches,
-  // where nothing is left out for its noise.
-  double sigma0_bytes_per_texel = 0.0, error_bytes_per_texel = 0.0, bytes_per_texel_above = 0.0;
+  TexelBytes bytes;
 };
 
 /// The trials of a plan: bakes pieces of the scene into memory.
@@ -82,18 +94,24 @@ class Trials {
     const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
     const auto texels = piece_.patches.texels_of(patch);
     const double cells = baker_.area_of(texels, aspect).whole_cells();
-    const auto halves = atlas::encoded_as(description_, {look.sigma0}, look.relative_errors);
-    const auto sigma0 = atlas::texture_bytes(halves, atlas::sigma0_bands, texels, description_).size();
-    const auto errors =
-        atlas::error_texture_bytes(look.relative_errors, look.sigma0, texels, description_, scene_.name).size();
-    const atlas::MipChain chain{look.sigma0};
-    const auto above =
-        atlas::texture_bytes(atlas::encoded(chain, atlas::fitting_scale(look.sigma0), atlas::pyramid_bits),
-                             atlas::sigma0_bands, texels, description_)
-            .size();
-    const auto count = static_cast<double>(look.sigma0.size());
-    return {taken.count() / std::max(cells, 1.0), static_cast<double>(sigma0) / count,
-            static_cast<double>(errors) / count, static_cast<double>(above) / count};
+    Trial trial{.seconds_per_cell = taken.count() / std::max(cells, 1.0), .bytes = bytes_of(look, texels)};
+    if (look.buildings) trial.bytes += bytes_of(*look.buildings, texels);
+    return trial;
+  }
+
+  [[nodiscard]] TexelBytes bytes_of(const BakedTexels& baked, const radar::GroundGrid& texels) const {
+    const auto a_texel = [&](const std::string& file) {
+      return static_cast<double>(file.size()) / static_cast<double>(baked.sigma0.size());
+    };
+    const auto texture = [&](const atlas::HalfTexture& halves) {
+      return atlas::texture_bytes(halves, atlas::sigma0_bands, texels, description_);
+    };
+    const atlas::MipChain chain{baked.sigma0};
+    const atlas::HalfTexture above = atlas::encoded(chain, atlas::fitting_scale(baked.sigma0), atlas::pyramid_bits);
+    return {.sigma0 = a_texel(texture(atlas::encoded_as(description_, chain, baked.relative_errors))),
+            .errors = a_texel(
+                atlas::error_texture_bytes(baked.relative_errors, baked.sigma0, texels, description_, scene_.name)),
+            .above = a_texel(texture(above))};
   }
 
   const scene::Scene& scene_;
@@ -173,9 +191,9 @@ BakePlan plan(const scene::Scene& scene, const BakeSettings& settings, const std
   for (std::size_t number = 0; number < jobs.size(); ++number) {
     const std::size_t elevation = number / azimuths % found.size();
     const Trial& trial = found[elevation];
-    const double bytes = (trial.sigma0_bytes_per_texel * texels.all_levels + trial.bytes_per_texel_above * above +
-                          trial.error_bytes_per_texel * texels.finest) *
-                         static_cast<double>(jobs.looks_per_job());
+    const double bytes =
+        (trial.bytes.sigma0 * texels.all_levels + trial.bytes.above * above + trial.bytes.errors * texels.finest) *
+        static_cast<double>(jobs.looks_per_job());
     plan.bytes += bytes;
     if (!share.has(number)) continue;
     ++plan.jobs_of_share;

@@ -27,7 +27,7 @@ std::uint32_t spared(std::uint32_t samples, const trace::LaunchCell& cell, std::
 TileSampler::TileSampler(const BakeSettings& settings, const EchoLanding& landing, std::vector<PatchSums>& patch)
     : sampling_(settings.sampling),
       ground_apart_(settings.shadows == Shadows::RunTime),
-      buildings_apart_(settings.buildings == Buildings::Apart),
+      buildings_apart_(settings.buildings != Buildings::Baked),
       landing_(landing),
       patch_(patch),
       target_(sampling_.relative_target()),
@@ -56,10 +56,13 @@ double TileSampler::keep_landed(const trace::TilePaths& tile, std::size_t freque
                                 std::vector<Landed>& landed) const {
   double power = 0.0;
   for (const radar::Echo& echo : tile.echoes(frequency, start - followed_.first)) {
-    if (is_apart(echo)) continue;
-    power += static_cast<double>(echo.rcs_m2.power(radar::Polarization::Sum));
+    // Maps make these themselves, from the ground and from buildings.
+    if (ground_apart_ && echo.from_ground) continue;
+    const bool apart = buildings_apart_ && echo.from_building;
+    if (apart && !patch_[frequency].buildings) continue;
+    if (!apart) power += static_cast<double>(echo.rcs_m2.power(radar::Polarization::Sum));
     if (const auto texel = patch_[frequency].all.cell_at(landing_.place_of(echo)))
-      landed.push_back({*texel, starts_[start].sample, echo.bounces > 1, echo.rcs_m2});
+      landed.push_back({*texel, starts_[start].sample, echo.bounces > 1, apart, echo.rcs_m2});
   }
   return power;
 }

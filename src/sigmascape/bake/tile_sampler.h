@@ -49,11 +49,8 @@ class TileSampler {
   void trace_cell(trace::TilePaths& tile, std::size_t cell, Range starts, bool has_pilots);
   /// Some of those asked for, from where the last ended: of many a part, or what they bring would take much memory.
   void follow_next(trace::TilePaths& tile);
-  /// Whether maps make it themselves, so that it is not for the textures.
-  [[nodiscard]] bool is_apart(const radar::Echo& echo) const {
-    return (ground_apart_ && echo.from_ground) || (buildings_apart_ && echo.from_building);
-  }
-  /// Keeps what a start that was followed last brought that lands in the patch, and returns the power of all of it.
+  /// Keeps what a start that was followed last brought that lands in the patch, and returns the power of all of it that
+  /// is not kept apart.
   double keep_landed(const trace::TilePaths& tile, std::size_t frequency, std::size_t start,
                      std::vector<Landed>& landed) const;
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "sigmascape/atlas/building_file.h"
+#include "sigmascape/atlas/building_textures.h"
 #include "sigmascape/atlas/ground_layers.h"
 #include "sigmascape/atlas/terrain_file.h"
 #include "sigmascape/base/error.h"
@@ -20,11 +21,12 @@ namespace {
 /// may take.
 constexpr std::size_t tile_part = 32, window_part = 8, obstacle_part = 8, stand_in_part = 8;
 
-/// Of an atlas whose buildings are kept apart frames would lack what these return directly.
+/// Frames take from textures what buildings return directly.
 void check_buildings(const atlas::Store& store) {
-  if (!atlas::keeps_buildings_apart(store.description())) return;
+  const atlas::AtlasDescription& description = store.description();
+  if (!atlas::keeps_buildings_apart(description) || atlas::keeps_building_textures(description)) return;
   throw Error(store.folder().string(), "keeps its buildings apart, which maps know but live frames do not",
-              "bake an atlas without --buildings apart for live frames");
+              "bake an atlas with --buildings both, or without the option, for live frames");
 }
 
 std::unique_ptr<LiveObstacles> obstacles_of(const atlas::Store& store, const CacheOptions& options) {

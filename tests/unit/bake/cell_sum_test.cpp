@@ -60,6 +60,19 @@ TEST(CellSum, TexelsOfACellAreApart) {
   EXPECT_NEAR(patch.all.sigma0_variances()(1, 0), 1.0, 1e-6);
 }
 
+// Of a building that is kept apart they are summed up by themselves, where that is asked for.
+TEST(CellSum, WhatIsKeptApartIsSummedUpByItself) {
+  std::vector<Landed> echoes = {landed(0, 1.0F), landed(0, 5.0F), landed(1, 2.0F), landed(1, 7.0F)};
+  echoes[1].apart = echoes[3].apart = true;
+  PatchSums patch = row_of(1);
+  patch.buildings = row_of(1).all;
+  CellSum().add(echoes, SamplePairs(2), patch);
+  EXPECT_NEAR(patch.all.sigma0()(0, 0).vv, 1.5F, 1e-6F);
+  EXPECT_NEAR(patch.buildings->sigma0()(0, 0).vv, 6.0F, 1e-6F);
+  EXPECT_NEAR(patch.all.sigma0_variances()(0, 0), 0.25, 1e-6);
+  EXPECT_NEAR(patch.buildings->sigma0_variances()(0, 0), 1.0, 1e-6);
+}
+
 TEST(CellSum, StatesTheVarianceOfSamplesThatAreIndependent) {
   // Of rare echoes, one sample in ten brings something, of an even and of an odd number.
   for (const std::uint32_t samples : {16U, 21U}) {
