@@ -171,6 +171,22 @@ radar::Rectangle plan_of(const std::vector<Part>& parts) {
   return plan;
 }
 
+/// By blocks of the ground: what is known of all lines of sight to one fits into memory, however wide the map is.
+std::vector<std::vector<Part>> in_blocks(const std::vector<Part>& parts) {
+  if (parts.empty()) return {};
+  constexpr double block_m = 2000.0;
+  const auto blocks_in = [](double length_m) { return static_cast<std::size_t>(length_m / block_m); };
+  const radar::Rectangle plan = plan_of(parts);
+  const std::size_t columns = blocks_in(plan.width_m()) + 1, rows = blocks_in(plan.height_m()) + 1;
+  std::vector<std::vector<Part>> blocks(columns * rows);
+  for (const Part& part : parts) {
+    const Vec3d middle = middle_of(part.corners);
+    blocks[blocks_in(plan.north_m - middle.y) * columns + blocks_in(middle.x - plan.west_m)].push_back(part);
+  }
+  std::erase_if(blocks, [](const std::vector<Part>& block) { return block.empty(); });
+  return blocks;
+}
+
 /// Where a point lies among the middles of squares.
 struct AmongSquares {
   AmongSquares(Vec2d point, const radar::GroundGrid& grid) {
@@ -208,12 +224,11 @@ BuildingLayer::BuildingLayer(const atlas::Atlas& atlas, const terrain::HeightFie
   const atlas::Buildings& buildings = *layers.buildings;
   grid_ = squares_over(request.area, atlas.patches().texel_m * std::exp2(std::floor(request.level)));
   receiver::GroundAccumulator sums(grid_);
-  const std::vector<Part> parts = parts_in(grid_, buildings, request.vantage, terrain);
-  if (!parts.empty()) {
+  const auto reflectivity = reflectivity_at(buildings, atlas.aspects(), request.frequency_hz);
+  // Pieces beside the grid have a share on its squares.
+  const radar::Rectangle taken_from = radar::widened(grid_.extent(), 0.5 * grid_.cell_m);
+  for (const std::vector<Part>& parts : in_blocks(parts_in(grid_, buildings, request.vantage, terrain))) {
     const FaceSight sight(layers.obstacles, terrain, request.vantage, plan_of(parts), request.earth, request.threads);
-    const auto reflectivity = reflectivity_at(buildings, atlas.aspects(), request.frequency_hz);
-    // Pieces beside the grid have a share on its squares.
-    const radar::Rectangle taken_from = radar::widened(grid_.extent(), 0.5 * grid_.cell_m);
     parallel_for(parts.size(), thread_count(request.threads), [&](std::size_t number, unsigned) {
       const Part& part = parts[number];
       for_each_piece(part.corners, part.area_m2, grid_.cell_m, [&](const Corners& piece, double area_m2) {
