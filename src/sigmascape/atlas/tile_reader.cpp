@@ -1,6 +1,7 @@
 #include "sigmascape/atlas/tile_reader.h"
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "sigmascape/atlas/building_textures.h"
@@ -18,13 +19,27 @@ bool is_black(std::span<const Half> halves) {
   return std::ranges::all_of(halves, [](Half half) { return half == 0; });
 }
 
-/// Adds halves to others, each in units of its own, which are powers of two. Returns the unit of the sums.
+/// A half times 2^−steps, `factor`.
+Half scaled_down(Half half, unsigned steps, float factor) {
+  const unsigned magnitude = half & 0x7fffU;
+  if ((magnitude >> 10U) > steps) return static_cast<Half>(half - (steps << 10U));
+  return magnitude == 0 ? half : half_from_float(float_from_finite_half(half) * factor);
+}
+
+/// Adds halves to others, each in units of its own, which are powers of two. Returns the unit of the sums, the greater
+/// one: the brightest half of a texture is no more than half of what halves can tell (fitting_scale).
 double add(std::span<const Half> added, double unit_of_added, std::span<Half> halves, double unit) {
-  // The brightest half of a texture is less than half of what halves can tell: fitting_scale.
-  const double unit_of_sum = 2.0 * std::max(unit, unit_of_added);
+  const double unit_of_sum = std::max(unit, unit_of_added);
   const auto own = static_cast<float>(unit / unit_of_sum), other = static_cast<float>(unit_of_added / unit_of_sum);
-  for (std::size_t i = 0; i < halves.size(); ++i)
-    halves[i] = half_from_float(float_from_finite_half(halves[i]) * own + float_from_finite_half(added[i]) * other);
+  const auto steps = static_cast<unsigned>(-std::ilogb(own));
+  for (std::size_t i = 0; i < halves.size(); ++i) {
+    if (added[i] == 0) {
+      halves[i] = scaled_down(halves[i], steps, own);
+      continue;
+    }
+    const float sum = float_from_finite_half(halves[i]) * own + float_from_finite_half(added[i]) * other;
+    halves[i] = half_from_float(std::clamp(sum, -largest_half, largest_half));
+  }
   return unit_of_sum;
 }
 

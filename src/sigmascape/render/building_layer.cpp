@@ -148,19 +148,25 @@ struct Part {
 
 /// Of all faces that show themselves to the radar, what may land in a grid.
 std::vector<Part> parts_in(const radar::GroundGrid& grid, const atlas::Buildings& buildings,
-                           const radar::Vantage& vantage, const terrain::HeightField& terrain) {
+                           const radar::Vantage& vantage, const terrain::HeightField& terrain, unsigned threads) {
+  constexpr std::size_t together = 4096;  // faces
   const radar::Rectangle about = radar::widened(grid.extent(), widest_layover_m);
+  const std::size_t count = buildings.triangles.size();
+  std::vector<std::vector<Part>> stretches((count + together - 1) / together);
+  parallel_for(stretches.size(), thread_count(threads), [&](std::size_t stretch, unsigned) {
+    for (std::size_t number = stretch * together; number < std::min(count, (stretch + 1) * together); ++number) {
+      const Face face(buildings, number);
+      if (!radar::meet(plan_of(face.corners), about)) continue;
+      const Vec3d middle = middle_of(face.corners), radar = vantage.place_for({middle.x, middle.y});
+      if (dot(face.normal, radar - middle) <= 0.0) continue;
+      for_each_piece(face.corners, face.area_m2, longest_part_m, [&](const Corners& corners, double area_m2) {
+        if (may_land_in(grid, corners, radar, terrain))
+          stretches[stretch].push_back({corners, area_m2, face.normal, radar, face.material});
+      });
+    }
+  });
   std::vector<Part> parts;
-  for (std::size_t number = 0; number < buildings.triangles.size(); ++number) {
-    const Face face(buildings, number);
-    if (!radar::meet(plan_of(face.corners), about)) continue;
-    const Vec3d middle = middle_of(face.corners), radar = vantage.place_for({middle.x, middle.y});
-    if (dot(face.normal, radar - middle) <= 0.0) continue;
-    for_each_piece(face.corners, face.area_m2, longest_part_m, [&](const Corners& corners, double area_m2) {
-      if (may_land_in(grid, corners, radar, terrain))
-        parts.push_back({corners, area_m2, face.normal, radar, face.material});
-    });
-  }
+  for (const std::vector<Part>& some : stretches) parts.insert(parts.end(), some.begin(), some.end());
   return parts;
 }
 
@@ -227,7 +233,8 @@ BuildingLayer::BuildingLayer(const atlas::Atlas& atlas, const terrain::HeightFie
   const auto reflectivity = reflectivity_at(buildings, atlas.aspects(), request.frequency_hz);
   // Pieces beside the grid have a share on its squares.
   const radar::Rectangle taken_from = radar::widened(grid_.extent(), 0.5 * grid_.cell_m);
-  for (const std::vector<Part>& parts : in_blocks(parts_in(grid_, buildings, request.vantage, terrain))) {
+  for (const std::vector<Part>& parts :
+       in_blocks(parts_in(grid_, buildings, request.vantage, terrain, request.threads))) {
     const FaceSight sight(layers.obstacles, terrain, request.vantage, plan_of(parts), request.earth, request.threads);
     parallel_for(parts.size(), thread_count(request.threads), [&](std::size_t number, unsigned) {
       const Part& part = parts[number];

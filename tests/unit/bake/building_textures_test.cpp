@@ -26,12 +26,12 @@ namespace {
 scene::Scene two_houses() {
   scene::Scene scene;
   scene.name = "two houses";
-  scene.extent = {0, 0, 700, 700};
-  scene.terrain = {0, 700, 700, Array2D<float>(2, 2, 50.0F)};
+  scene.extent = {0, 0, 520, 520};
+  scene.terrain = {0, 520, 520, Array2D<float>(2, 2, 50.0F)};
   const scatter::Material ground{
       .name = "ground", .model = scatter::ConstantGammaParameters{0.03, {0.1, 0.5}}, .source = {}};
   const scatter::Material wall{.name = "wall", .model = scatter::LambertParameters{0.5, {0.1, 0.5}}, .source = {}};
-  scene.ground = {{0, 700, 700, 1, 1}, Array2D<scene::MaterialIndex>(1, 1, scene.material_index(ground))};
+  scene.ground = {{0, 520, 520, 1, 1}, Array2D<scene::MaterialIndex>(1, 1, scene.material_index(ground))};
   const scene::MaterialIndex of_wall = scene.material_index(wall);
   const auto put = [&](Vec2d middle, double height_m) {
     geo::Polygon outline;
