@@ -83,11 +83,12 @@ AtlasSummary summary_of(const Store& store) {
   summary.patches = patches.size();
   summary.looks = store.unit_count();
   summary.bytes = bytes_in(store.folder());
+  const LookStores stores(store);
   for (std::size_t number = 0; number < summary.looks; ++number) {
     Interruption::heed();
     const PatchIndex patch = patches[number / look_count];
     const auto look = static_cast<LookIndex>(number % look_count);
-    if (!store.is_done(patch, look)) continue;
+    if (!stores.is_done(patch, look)) continue;
     const auto record = texture_record(store, store.texture_path(patch, look));
     if (!record) continue;
     ++summary.looks_done;

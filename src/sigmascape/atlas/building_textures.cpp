@@ -1,5 +1,7 @@
 #include "sigmascape/atlas/building_textures.h"
 
+#include <algorithm>
+
 #include "sigmascape/atlas/layer_store.h"
 
 namespace sigmascape::atlas {
@@ -27,6 +29,17 @@ Store open_building_textures(const Store& atlas) {
 
 std::optional<StoreFault> building_textures_fault(const Store& atlas) {
   return layer_collection_fault(atlas, layer_of(atlas));
+}
+
+LookStores::LookStores(const Store& atlas) : stores_{atlas} {
+  if (!keeps_building_textures(atlas.description())) return;
+  is_complete_ = !building_textures_fault(atlas);
+  if (is_complete_) stores_.push_back(open_building_textures(atlas));
+}
+
+bool LookStores::is_done(PatchIndex patch, LookIndex look, Scrutiny scrutiny) const {
+  return is_complete_ &&
+         std::ranges::all_of(stores_, [&](const Store& store) { return store.is_done(patch, look, scrutiny); });
 }
 
 }  // namespace sigmascape::atlas

@@ -31,4 +31,19 @@ inline constexpr const char* building_textures_kept = "kept";
 /// What is wrong with their collection, if anything: by itself, and held against the atlas.
 [[nodiscard]] std::optional<StoreFault> building_textures_fault(const Store& atlas);
 
+/// The stores in which a look of an atlas is: its own and, where it keeps such, that of its buildings.
+class LookStores {
+ public:
+  /// Without that of the buildings nothing is in both.
+  explicit LookStores(const Store& atlas);
+
+  /// Whether a look is in all of them.
+  [[nodiscard]] bool is_done(PatchIndex patch, LookIndex look, Scrutiny scrutiny = Scrutiny::Size) const;
+  [[nodiscard]] const std::vector<Store>& all() const { return stores_; }
+
+ private:
+  std::vector<Store> stores_;  // the atlas first
+  bool is_complete_ = true;
+};
+
 }  // namespace sigmascape::atlas

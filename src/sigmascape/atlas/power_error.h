@@ -9,10 +9,10 @@
 
 namespace sigmascape::atlas {
 
-/// What the texels of textures return in all, and how sure that is: of one texture the means over all its texels, dark
-/// ones too, of several (which have equally many) the sums of these. Power is VV + HH + 2 HV as σ0. Weighted by power,
-/// since many texels are lit by one stray path, which is sure to no more than itself and counts for next to nothing:
-/// docs/decisions/0170-errors-weighted-by-power.md.
+/// What the texels of textures return in all, with what buildings that are kept apart do, and how sure that is: of one
+/// texture the means over all its texels, dark ones too, of several (which have equally many) the sums of these. Power
+/// is VV + HH + 2 HV as σ0. Weighted by power, since many texels are lit by one stray path, which is sure to no more
+/// than itself and counts for next to nothing: docs/decisions/0170-errors-weighted-by-power.md.
 struct PowerError {
   double power = 0.0;
   double standard_error = 0.0;              ///< of texels one by one: not that of their mean, in which noise makes up

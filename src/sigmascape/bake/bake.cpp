@@ -54,10 +54,26 @@ std::map<std::string, std::string> settings_in_words(const BakeSettings& setting
     words["samples_per_texel"] = fmt::format("{} to {}", pilot_samples, sampling.most_samples);
     words["target_db"] = fmt::format("{}", sampling.target_db);
     words["floor_db"] = fmt::format("{}", sampling.floor_db);
+    // Of all that a cell returns, though what buildings do is not in the textures.
+    if (settings.buildings != Buildings::Baked) words["target_of"] = "all";
   } else {
     words["samples_per_texel"] = std::to_string(sampling.samples_per_texel);
   }
   return words;
+}
+
+/// What a look returns with what buildings that are kept apart do, which maps make anew from the buildings: that has no
+/// noise.
+BakedTexels with_buildings(const BakedLook& look) {
+  BakedTexels all = look;
+  if (!look.buildings) return all;
+  for (std::size_t i = 0; i < all.sigma0.size(); ++i) {
+    radar::Channels& texel = all.sigma0.values()[i];
+    const float own = texel.power(radar::Polarization::Sum);
+    texel += look.buildings->sigma0.values()[i];
+    if (own > 0.0F) all.relative_errors.values()[i] *= own / texel.power(radar::Polarization::Sum);
+  }
+  return all;
 }
 
 /// One process's way through its share.
@@ -78,7 +94,8 @@ class BakeRun {
     if (settings_.shadows == Shadows::RunTime)
       ground_.emplace(scene, store_.description().aspects, store_.description().patches);
     if (settings_.buildings == Buildings::Both)
-      buildings_.emplace(atlas::create_building_textures(store_, &report_.mended));
+      static_cast<void>(atlas::create_building_textures(store_, &report_.mended));
+    stores_.emplace(store_);
     // Before anything is written, which would make the catalogs above it without a word.
     mend_catalogs();
     const std::vector<OpenJob> open = open_jobs();
@@ -117,8 +134,7 @@ class BakeRun {
   };
 
   [[nodiscard]] bool is_done(const Job& job, atlas::LookIndex look) const {
-    return store_.is_done(job.patch, look, share_.scrutiny) &&
-           (!buildings_ || buildings_->is_done(job.patch, look, share_.scrutiny));
+    return stores_->is_done(job.patch, look, share_.scrutiny);
   }
 
   /// Jobs of the share of which some look is not there. Counts the looks that are.
@@ -178,9 +194,11 @@ class BakeRun {
   }
 
   void write(atlas::PatchIndex patch, atlas::LookIndex number, const BakedLook& look) {
-    atlas::PowerError error = atlas::power_error(look.sigma0, look.relative_errors, relative_target());
+    const BakedTexels all = with_buildings(look);
+    atlas::PowerError error = atlas::power_error(all.sigma0, all.relative_errors, relative_target());
     if (ground_) error.ground_power = ground_->power_of(patch, number);
-    if (look.buildings) write(*buildings_, patch, number, *look.buildings, look.samples_per_texel, {});
+    if (settings_.buildings == Buildings::Both)
+      write(stores_->all().back(), patch, number, *look.buildings, look.samples_per_texel, {});
     write(store_, patch, number, look, look.samples_per_texel, error);
     report_.errors.add(number, error);
     ++baked_;
@@ -209,18 +227,12 @@ class BakeRun {
   }
 
   void mend_catalogs() {
-    for (const atlas::Store* store : stores()) {
+    for (const atlas::Store& store : stores_->all()) {
       for (atlas::StoreFault& fault : atlas::mend_catalogs(
-               *store, share_.scrutiny, [this](std::size_t number) { return share_.shard.has(number); })) {
-        note(std::move(fault), *store);
+               store, share_.scrutiny, [this](std::size_t number) { return share_.shard.has(number); })) {
+        note(std::move(fault), store);
       }
     }
-  }
-
-  /// Those that hold looks.
-  [[nodiscard]] std::vector<const atlas::Store*> stores() const {
-    if (buildings_) return {&store_, &*buildings_};
-    return {&store_};
   }
 
   void make_terrain(const scene::Scene& scene) {
@@ -285,9 +297,9 @@ class BakeRun {
   }
 
   void remove_leftovers(const Job& job) const {
-    for (const atlas::Store* store : stores()) {
+    for (const atlas::Store& store : stores_->all()) {
       for (const atlas::LookIndex look : job.looks) {
-        const std::filesystem::path texture = store->folder() / store->texture_path(job.patch, look);
+        const std::filesystem::path texture = store.folder() / store.texture_path(job.patch, look);
         geo::remove_leftovers(texture.parent_path(), texture.stem().string());
       }
     }
@@ -306,11 +318,12 @@ class BakeRun {
     std::size_t layers = 0;
     const auto tell = [&] {
       progress_.advanced("pyramid", static_cast<double>(layers),
-                         static_cast<double>(stores().size() * jobs_.aspects() * jobs_.looks_per_job()), "layers");
+                         static_cast<double>(stores_->all().size() * jobs_.aspects() * jobs_.looks_per_job()),
+                         "layers");
     };
     tell();
-    for (const atlas::Store* store : stores()) {
-      const atlas::Pyramid pyramid(*store);
+    for (const atlas::Store& store : stores_->all()) {
+      const atlas::Pyramid pyramid(store);
       atlas::MakingNotes notes;
       for (std::size_t aspect = 0; aspect < jobs_.aspects(); ++aspect) {
         std::vector<atlas::PatchIndex> patches;
@@ -323,7 +336,7 @@ class BakeRun {
           tell();
         }
       }
-      for (atlas::StoreFault& fault : notes.mended) note(std::move(fault), *store);
+      for (atlas::StoreFault& fault : notes.mended) note(std::move(fault), store);
     }
   }
 
@@ -342,8 +355,8 @@ class BakeRun {
   JobList jobs_;
   JobShare share_of_jobs_;
   Claims claims_;
-  std::optional<MeanGround> ground_;       // where it is kept apart
-  std::optional<atlas::Store> buildings_;  // where what they return has textures of its own
+  std::optional<MeanGround> ground_;         // where it is kept apart
+  std::optional<atlas::LookStores> stores_;  // of the looks, as soon as all are there
   BakeReport report_;
   std::size_t done_ = 0, baked_ = 0;
 };

@@ -191,7 +191,7 @@ std::vector<BakedLook> LookBaker::bake(const radar::GroundGrid& texels, const tr
   for (std::size_t f = 0; f < surfaces_.size(); ++f) {
     PatchSums& of_frequency = sums.emplace_back(receiver::GroundAccumulator(texels));
     if (settings_.noise == Noise::Shared) of_frequency.several.emplace(texels);
-    if (settings_.buildings == Buildings::Both) of_frequency.buildings.emplace(texels);
+    if (settings_.buildings != Buildings::Baked) of_frequency.buildings.emplace(texels);
   }
   const unsigned workers = thread_count(settings_.threads);
   const bool has_relief = footing_ == trace::Footing::Terrain;

@@ -51,7 +51,7 @@ double bytes_of_texels(const scene::Scene& scene, const BakeSettings& settings) 
   const double texels = std::pow(static_cast<double>(settings.patches.texels_per_side), 2);
   // What came over several surfaces is summed up by itself as well where its noise is to be shared.
   const double sums = 1.0 + (settings.noise == Noise::Shared ? 1.0 : 0.0) +
-                      (settings.buildings == Buildings::Both ? 1.0 : 0.0);  // and so is what buildings return
+                      (settings.buildings != Buildings::Baked ? 1.0 : 0.0);  // and so is what buildings return
   const bool has_relief =
       footing_of(settings) == trace::Footing::Terrain && scene.terrain.lowest_m() != scene.terrain.highest_m();
   const std::size_t side = settings.patches.texels_per_side;

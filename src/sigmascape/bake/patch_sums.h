@@ -11,7 +11,7 @@ struct PatchSums {
   receiver::GroundAccumulator all;
   /// What of it came over several surfaces; where that is asked for.
   std::optional<receiver::GroundAccumulator> several = {};
-  /// What buildings that are kept apart return directly, which is not in the above; where that is asked for.
+  /// What buildings return directly, which is not in the above; where they are kept apart.
   std::optional<receiver::GroundAccumulator> buildings = {};
 };
 

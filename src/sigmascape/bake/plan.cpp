@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "sigmascape/atlas/building_textures.h"
 #include "sigmascape/atlas/error_texture.h"
 #include "sigmascape/atlas/half_texture.h"
 #include "sigmascape/atlas/pyramid.h"
@@ -95,7 +96,7 @@ class Trials {
     const auto texels = piece_.patches.texels_of(patch);
     const double cells = baker_.area_of(texels, aspect).whole_cells();
     Trial trial{.seconds_per_cell = taken.count() / std::max(cells, 1.0), .bytes = bytes_of(look, texels)};
-    if (look.buildings) trial.bytes += bytes_of(*look.buildings, texels);
+    if (settings_.buildings == Buildings::Both) trial.bytes += bytes_of(*look.buildings, texels);
     return trial;
   }
 
@@ -158,10 +159,10 @@ std::vector<std::size_t> some_of(const std::vector<std::size_t>& numbers) {
   return some;
 }
 
-std::size_t looks_there(const std::optional<atlas::Store>& store, const Job& job) {
-  if (!store) return 0;
+std::size_t looks_there(const std::optional<atlas::LookStores>& stores, const Job& job) {
+  if (!stores) return 0;
   return static_cast<std::size_t>(
-      std::ranges::count_if(job.looks, [&](atlas::LookIndex look) { return store->is_done(job.patch, look); }));
+      std::ranges::count_if(job.looks, [&](atlas::LookIndex look) { return stores->is_done(job.patch, look); }));
 }
 
 }  // namespace
@@ -173,6 +174,7 @@ BakePlan plan(const scene::Scene& scene, const BakeSettings& settings, const std
   check_room(scene, settings);
   const atlas::AtlasDescription description = description_of(scene, settings);
   const auto store = atlas::Store::find(folder, description);
+  const auto stores = store ? std::optional<atlas::LookStores>(*store) : std::nullopt;
   const auto begin = std::chrono::steady_clock::now();
   const Trials trials(scene, settings);
   const std::vector<Trial> found = trials.at_all_elevations(progress);
@@ -201,7 +203,7 @@ BakePlan plan(const scene::Scene& scene, const BakeSettings& settings, const std
     last_patch = number / jobs.aspects();
     plan.bytes_of_share += bytes;
     const Job job = jobs[number];
-    const std::size_t there = looks_there(store, job);
+    const std::size_t there = looks_there(stores, job);
     plan.looks += job.looks.size();
     plan.already += there;
     if (there < job.looks.size()) open[elevation].push_back(number);

@@ -52,19 +52,19 @@ void TileSampler::sample(trace::TilePaths& tile, double cell_area_m2) {
   trace_cells(tile, pilot_samples);
 }
 
-double TileSampler::keep_landed(const trace::TilePaths& tile, std::size_t frequency, std::size_t start,
-                                std::vector<Landed>& landed) const {
-  double power = 0.0;
+TileSampler::Brought TileSampler::keep_landed(const trace::TilePaths& tile, std::size_t frequency, std::size_t start,
+                                              std::vector<Landed>& landed) const {
+  Brought brought;
   for (const radar::Echo& echo : tile.echoes(frequency, start - followed_.first)) {
     // Maps make these themselves, from the ground and from buildings.
     if (ground_apart_ && echo.from_ground) continue;
     const bool apart = buildings_apart_ && echo.from_building;
-    if (apart && !patch_[frequency].buildings) continue;
-    if (!apart) power += static_cast<double>(echo.rcs_m2.power(radar::Polarization::Sum));
+    (apart ? brought.of_buildings_m2 : brought.own_m2) +=
+        static_cast<double>(echo.rcs_m2.power(radar::Polarization::Sum));
     if (const auto texel = patch_[frequency].all.cell_at(landing_.place_of(echo)))
       landed.push_back({*texel, starts_[start].sample, echo.bounces > 1, apart, echo.rcs_m2});
   }
-  return power;
+  return brought;
 }
 
 void TileSampler::trace_pilots(trace::TilePaths& tile) {
@@ -82,13 +82,16 @@ void TileSampler::trace_pilots(trace::TilePaths& tile) {
 
 void TileSampler::note_pilots(const trace::TilePaths& tile, std::size_t frequency, std::size_t cell) {
   Pilot pilot;
+  double of_buildings_m2 = 0.0;
   for (std::uint32_t sample = 0; sample < pilot_samples; ++sample) {
     // Mean and sum of squares about it, updated sample by sample.
-    const double power = keep_landed(tile, frequency, cell * pilot_samples + sample, pilot_echoes_[frequency]);
-    const double before = power - pilot.mean_m2;
+    const Brought brought = keep_landed(tile, frequency, cell * pilot_samples + sample, pilot_echoes_[frequency]);
+    const double before = brought.own_m2 - pilot.mean_m2;
     pilot.mean_m2 += before / (sample + 1);
-    pilot.variance_m4 += before * (power - pilot.mean_m2);
+    pilot.variance_m4 += before * (brought.own_m2 - pilot.mean_m2);
+    of_buildings_m2 += brought.of_buildings_m2;
   }
+  pilot.mean_m2 += of_buildings_m2 / pilot_samples;
   pilot.variance_m4 /= pilot_samples - 1;
   pilots_[frequency].push_back(pilot);
   pilot_ends_[frequency].push_back(pilot_echoes_[frequency].size());

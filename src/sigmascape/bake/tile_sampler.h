@@ -25,10 +25,15 @@ class TileSampler {
   void sample(trace::TilePaths& tile, double cell_area_m2);
 
  private:
-  /// What the pilots of a cell say of the power of one sample, all texels together.
+  /// What the pilots of a cell say of the power of one sample, all texels together: of all of it, and how that varies
+  /// which goes into the textures.
   struct Pilot {
     double mean_m2 = 0.0;
     double variance_m4 = 0.0;
+  };
+  /// The power of what a start brought.
+  struct Brought {
+    double own_m2 = 0.0, of_buildings_m2 = 0.0;  ///< for the textures, and of buildings that are kept apart
   };
 
   /// Numbers from `first` up to before `end`.
@@ -49,10 +54,9 @@ class TileSampler {
   void trace_cell(trace::TilePaths& tile, std::size_t cell, Range starts, bool has_pilots);
   /// Some of those asked for, from where the last ended: of many a part, or what they bring would take much memory.
   void follow_next(trace::TilePaths& tile);
-  /// Keeps what a start that was followed last brought that lands in the patch, and returns the power of all of it that
-  /// is not kept apart.
-  double keep_landed(const trace::TilePaths& tile, std::size_t frequency, std::size_t start,
-                     std::vector<Landed>& landed) const;
+  /// Keeps what a start that was followed last brought that lands in the patch, and returns the power of all of it.
+  Brought keep_landed(const trace::TilePaths& tile, std::size_t frequency, std::size_t start,
+                      std::vector<Landed>& landed) const;
 
   const Sampling& sampling_;
   bool ground_apart_, buildings_apart_;

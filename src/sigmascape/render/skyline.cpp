@@ -38,11 +38,12 @@ Skyline::Skyline(const radar::ObstacleMap& obstacles, const terrain::HeightField
                    [&](std::size_t step, double distance_m, Vec3d point, const radar::Obstacle& obstacle) {
                      if (step > steps.before) keep_up_to(step - steps.before);
                      const double ground_m = point.z - earth.drop_m(distance_m) - radar.z;
-                     steepest.solid =
-                         std::max(steepest.solid, (ground_m + static_cast<double>(obstacle.solid_top_m)) / distance_m);
+                     const auto slope_to_top = [&](float top_m) {
+                       return static_cast<float>((ground_m + static_cast<double>(top_m)) / distance_m);
+                     };
+                     steepest.solid = std::max(steepest.solid, slope_to_top(obstacle.solid_top_m));
                      if (obstacle.crown_top_m > 0.0F)
-                       steepest.crowns = std::max(steepest.crowns,
-                                                  (ground_m + static_cast<double>(obstacle.crown_top_m)) / distance_m);
+                       steepest.crowns = std::max(steepest.crowns, slope_to_top(obstacle.crown_top_m));
                    });
       keep_up_to(steps.kept);
     });

@@ -23,8 +23,8 @@ class Skyline {
  public:
   /// The steepest lines of sight to what lies between the radar and a place.
   struct Slopes {
-    double solid = -std::numeric_limits<double>::infinity();   ///< to terrain and solid tops
-    double crowns = -std::numeric_limits<double>::infinity();  ///< to tops of crowns
+    float solid = -std::numeric_limits<float>::infinity();   ///< to terrain and solid tops
+    float crowns = -std::numeric_limits<float>::infinity();  ///< to tops of crowns
   };
 
   Skyline(const radar::ObstacleMap& obstacles, const terrain::HeightField& terrain, const radar::Vantage& vantage,

@@ -16,6 +16,7 @@
 #include "sigmascape/atlas/tile_reader.h"
 #include "sigmascape/atlas/verify.h"
 #include "sigmascape/bake/bake.h"
+#include "sigmascape/bake/plan.h"
 #include "sigmascape/base/units.h"
 #include "sigmascape/scene/building_extrusion.h"
 
@@ -164,11 +165,35 @@ TEST_F(BuildingTextures, AreBakedTheSameInSharesAndAfterALoss) {
   ASSERT_EQ(faults.size(), 1U);
   EXPECT_EQ(faults.front().file, lost);
   SilentProgress silent;
+  const std::size_t looks = store.unit_count();
+  EXPECT_EQ(atlas::summary_of(store).looks_done, looks - 1);
+  EXPECT_EQ(plan(two_houses(), settings_of(Buildings::Both), store.folder(), silent).already, looks - 1);
   const BakeReport again = bake(two_houses(), settings_of(Buildings::Both), store.folder(), silent);
-  EXPECT_EQ(again.already, again.looks - 1);
+  EXPECT_EQ(again.already, looks - 1);
   ASSERT_EQ(again.mended.size(), 1U);
   EXPECT_EQ(again.mended.front().file, lost);
   EXPECT_EQ(difference_of(whole, files_of(store.folder())), "");
+}
+
+// Though the textures lack it, rays go by what buildings return as well: it is in the map.
+TEST(BuildingsApartFromTextures, NeedNoMoreRays) {
+  const ScratchFolder folder;
+  scene::Scene scene = two_houses();
+  scene.extent = {200, 200, 312, 312};
+  const auto report_of = [&](Buildings buildings, const char* name) {
+    BakeSettings settings = settings_of(buildings);
+    settings.sampling = {};
+    SilentProgress silent;
+    return bake(scene, settings, folder.path(name), silent);
+  };
+  const BakeReport with = report_of(Buildings::Baked, "baked"), apart = report_of(Buildings::Apart, "apart"),
+                   both = report_of(Buildings::Both, "both");
+  EXPECT_LE(apart.counts.paths, with.counts.paths);
+  EXPECT_EQ(both.counts.paths, apart.counts.paths);
+  // Of all that returns; what maps make of buildings has no noise.
+  EXPECT_LT(*apart.errors.relative(), *with.errors.relative());
+  EXPECT_EQ(*both.errors.relative(), *apart.errors.relative());
+  EXPECT_NEAR(*apart.errors.part_of_all(), *with.errors.part_of_all(), 1e-3);
 }
 
 TEST_F(BuildingTextures, AreCountedAndTheirLevelsMadeAnew) {

@@ -43,7 +43,7 @@ TEST(Skyline, KnowsCrownsByThemselves) {
   });
   const Vec3d radar{0.0, -1000.0, 20.0};
   const Skyline skyline(mixed, terrain, radar::Vantage(radar), area);
-  EXPECT_EQ(skyline.before({0.0, -25.0}).crowns, -std::numeric_limits<double>::infinity());
+  EXPECT_EQ(skyline.before({0.0, -25.0}).crowns, -std::numeric_limits<float>::infinity());
   EXPECT_NEAR(skyline.before({0.0, 20.0}).crowns, (12.0 - 20.0) / 990.0, close);
   EXPECT_NEAR(skyline.before({0.0, 20.0}).solid, (4.0 - 20.0) / 970.0, close);
 }
