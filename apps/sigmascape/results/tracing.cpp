@@ -137,7 +137,7 @@ std::string equal_text(const ResultsRow& baked, const std::vector<const ResultsR
     return found + fmt::format("The traced map of a single ray a cell is closer, {} in {}{}\n", rms_text(*enough),
                                time_beside(*enough, baked), worth_of_bake(baked, *enough, *enough));
   }
-  return found + fmt::format("A traced map as close takes {}: {} give {}, {} give {}{}\n",
+  return found + fmt::format("A traced map as close takes {}: with {} it has {}, with {} {}{}\n",
                              time_between(*too_few, *enough, baked), rays_of(*too_few), rms_text(*too_few),
                              enough->of.baked_samples, rms_text(*enough), worth_of_bake(baked, *too_few, *enough));
 }

@@ -34,10 +34,11 @@ TEST(ResultsTracing, SaysFromHowManyMapsOnABakePays) {
       tracing_section(plan, {traced_row(plan, 16, 8.0, 500.0), traced_row(plan, 64, 4.0, 2000.0),
                              traced_row(plan, 256, 2.0, 8000.0), baked_row(plan, 5.0, 100.0, 95.0)});
   EXPECT_THAT(
-      text, AllOf(HasSubstr("| path-traced |  | 16 | 0.900 (0.900) | 8.00 (8.00) |"),
-                  HasSubstr("- ours, on its own ground, 8 × 5: 5.00 dB in 0.10 s. A traced map as close takes between "
-                            "0.50 s and 2.0 s, 5.0 to 20 times as long: 16 rays a cell give 8.00 dB, 64 give 4.00 "
-                            "dB; from 50 to 238 maps on the bake is the shorter way\n")));
+      text,
+      AllOf(HasSubstr("| path-traced |  | 16 | 0.900 (0.900) | 8.00 (8.00) |"),
+            HasSubstr("- ours, on its own ground, 8 × 5: 5.00 dB in 0.10 s. A traced map as close takes between "
+                      "0.50 s and 2.0 s, 5.0 to 20 times as long: with 16 rays a cell it has 8.00 dB, with 64 4.00 "
+                      "dB; from 50 to 238 maps on the bake is the shorter way\n")));
 }
 
 TEST(ResultsTracing, SaysWhereNoneOfTheTracedMapsComesAsClose) {
@@ -49,10 +50,11 @@ TEST(ResultsTracing, SaysWhereNoneOfTheTracedMapsComesAsClose) {
 
 TEST(ResultsTracing, SaysNoNumberOfMapsWhereTracingTakesLess) {
   const ResultsPlan plan = made_plan();
-  EXPECT_THAT(tracing_section(plan, {traced_row(plan, 4, 8.0, 20.0), traced_row(plan, 16, 3.0, 50.0),
-                                     baked_row(plan, 5.0, 100.0, 95.0)}),
-              HasSubstr("0.20 to 0.50 times as long: 4 rays a cell give 8.00 dB, 16 give 3.00 dB: here the bake does "
-                        "not pay\n"));
+  EXPECT_THAT(
+      tracing_section(
+          plan, {traced_row(plan, 4, 8.0, 20.0), traced_row(plan, 16, 3.0, 50.0), baked_row(plan, 5.0, 100.0, 95.0)}),
+      HasSubstr("0.20 to 0.50 times as long: with 4 rays a cell it has 8.00 dB, with 16 3.00 dB: here the bake does "
+                "not pay\n"));
 }
 
 TEST(ResultsTracing, SaysTheLeastNumberOfMapsWhereTracingMayTakeLess) {
