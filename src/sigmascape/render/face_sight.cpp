@@ -145,15 +145,12 @@ double FaceSight::part_passed(Vec3d point, Vec3d normal, Vec3d radar) const {
   const double square_m = obstacles_.grid.cell_m;
   Way way(point, radar, earth_);
   double looked_at_m = 0.0;  // from the start of the way, without the skyline
-  Vec2d aside;               // to where that is known of no square of the own house
   if (normal.z < wall_normal_z) {
     // Houses stand on the lowest of their ground: what of a wall is below the ground.
     if (point.z <= terrain_.height_at({point.x, point.y})) return 0.0;
     const double across = std::hypot(normal.x, normal.y);
-    const Vec2d outwards = across > 0.0 ? Vec2d{normal.x, normal.y} * (square_m / across) : Vec2d{};
-    way.go_on_beside(outwards * before_wall_squares);
+    if (across > 0.0) way.go_on_beside(Vec2d{normal.x, normal.y} * (before_wall_squares * square_m / across));
     if (is_hidden_at(way, 0.0, 0.0)) return 0.0;
-    aside = outwards * Skyline::aside_squares;
   } else {
     const double of_ground = rise_across(terrain_.normal_at({point.x, point.y}));
     const double tolerance_m = roof_tolerance_m + square_m * (rise_across(normal) + of_ground);
@@ -165,7 +162,7 @@ double FaceSight::part_passed(Vec3d point, Vec3d normal, Vec3d radar) const {
   }
   if (looked_at_m >= way.length_m) return 1.0;
   const double slope = Skyline::slope_to(point, radar, earth_);
-  if (slope < static_cast<double>(skyline_.before(way.place_at(looked_at_m) + aside).solid)) return 0.0;
+  if (slope < static_cast<double>(skyline_.before(way.place_at(looked_at_m)).solid)) return 0.0;
   const Vec2d start = way.place_at(0.0);
   const bool is_over_crowns =
       slope > static_cast<double>(skyline_.before(start).crowns) && !(obstacles_.at(start).crown_top_m > 0.0F);

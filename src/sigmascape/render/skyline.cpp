@@ -18,8 +18,8 @@ Skyline::Skyline(const radar::ObstacleMap& obstacles, const terrain::HeightField
                  const radar::Vantage& vantage, const radar::Rectangle& area, const radar::CurvedEarth& earth,
                  unsigned threads) {
   const double step_m = std::min(obstacles.grid.cell_m, terrain.spacing_m);
-  for (const SightLines& lines :
-       SightLines::over(area, vantage, 2.0 * aside_squares * std::min(obstacles.grid.cell_m, terrain.spacing_m))) {
+  // Half a step apart, so that one passes a place at no more than a quarter.
+  for (const SightLines& lines : SightLines::over(area, vantage, 0.5 * step_m)) {
     const SightLines::Steps steps = lines.steps_over(terrain.extent(), step_m);
     Side& side = sides_.emplace_back(lines, steps, Array2D<Slopes>(steps.kept, lines.count()));
     parallel_for(lines.count(), thread_count(threads), [&](std::size_t line, unsigned) {

@@ -38,9 +38,6 @@ class Skyline {
   /// The slope of the line of sight to a point.
   [[nodiscard]] static double slope_to(Vec3d point, Vec3d radar, const radar::CurvedEarth& earth);
 
-  /// Lines pass a place at no more than this many squares of the obstacles.
-  static constexpr double aside_squares = 0.25;
-
  private:
   struct Side {
     SightLines lines;

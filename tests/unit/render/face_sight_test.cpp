@@ -53,6 +53,34 @@ TEST(FaceSight, AHouseDoesNotHideItsOwnWallsAndRoof) {
   }
 }
 
+// Nor does one that stands aslant, whose squares reach before its walls here and there, from aside.
+TEST(FaceSight, AHouseThatStandsAslantDoesNotHideItsOwnWalls) {
+  const auto terrain = level_ground();
+  const double turn_rad = 0.5;
+  const Vec2d along{std::cos(turn_rad), std::sin(turn_rad)}, inwards{-along.y, along.x};
+  const auto house = obstacles([&](Vec2d place) {
+    const bool within = std::abs(dot(place, along)) < 30.0 && dot(place, inwards) > 0.0 && dot(place, inwards) < 16.0;
+    return radar::Obstacle{.solid_top_m = within ? 12.0F : 0.0F};
+  });
+  const Vec3d normal{-inwards.x, -inwards.y, 0.0};
+  for (const double aside_rad : {-1.3, -0.7, 0.0, 0.7, 1.3}) {
+    const double azimuth_rad = std::atan2(normal.x, normal.y) + aside_rad;
+    const Vec3d radar = radar::position_seeing({}, azimuth_rad, radians_from_deg(6.0), 100e3);
+    const FaceSight sight(house, terrain, radar::Vantage(radar), about_faces);
+    for (double d = -25.0; d < 25.0; d += 0.017)
+      EXPECT_EQ(sight.part_passed({along.x * d, along.y * d, 4.0}, normal, radar), 1.0) << aside_rad << ", " << d;
+  }
+}
+
+// An annex as deep as a square, and nothing beyond it.
+TEST(FaceSight, WhatLeansOnAWallHidesIt) {
+  const auto terrain = level_ground();
+  const auto annex = obstacles(solid_bar(-2.0, 0.0, 6.0F));
+  const Landscape landscape{annex, terrain};
+  EXPECT_EQ(passed(landscape, {0.0, 0.0, 5.0}, south, radar_at(8.0)), 0.0);
+  EXPECT_EQ(passed(landscape, {0.0, 0.0, 7.0}, south, radar_at(8.0)), 1.0);
+}
+
 // Squares know the top above their own ground: uphill in its square a roof that lies level is below it.
 TEST(FaceSight, AHouseOnASlopeDoesNotHideItsRoof) {
   for (const double slope : {0.1, 0.3, 0.6}) {
