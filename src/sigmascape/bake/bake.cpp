@@ -66,7 +66,6 @@ std::map<std::string, std::string> settings_in_words(const BakeSettings& setting
 /// noise.
 BakedTexels with_buildings(const BakedLook& look) {
   BakedTexels all = look;
-  if (!look.buildings) return all;
   for (std::size_t i = 0; i < all.sigma0.size(); ++i) {
     radar::Channels& texel = all.sigma0.values()[i];
     const float own = texel.power(radar::Polarization::Sum);
@@ -194,14 +193,17 @@ class BakeRun {
   }
 
   void write(atlas::PatchIndex patch, atlas::LookIndex number, const BakedLook& look) {
-    const BakedTexels all = with_buildings(look);
-    atlas::PowerError error = atlas::power_error(all.sigma0, all.relative_errors, relative_target());
+    atlas::PowerError error = look.buildings ? error_of(with_buildings(look)) : error_of(look);
     if (ground_) error.ground_power = ground_->power_of(patch, number);
     if (settings_.buildings == Buildings::Both)
       write(stores_->all().back(), patch, number, *look.buildings, look.samples_per_texel, {});
     write(store_, patch, number, look, look.samples_per_texel, error);
     report_.errors.add(number, error);
     ++baked_;
+  }
+
+  [[nodiscard]] atlas::PowerError error_of(const BakedTexels& texels) const {
+    return atlas::power_error(texels.sigma0, texels.relative_errors, relative_target());
   }
 
   void write(const atlas::Store& store, atlas::PatchIndex patch, atlas::LookIndex look, const BakedTexels& texels,
@@ -313,6 +315,15 @@ class BakeRun {
     progress_.advanced("bake", static_cast<double>(done_), static_cast<double>(report_.looks), "looks");
   }
 
+  /// Those that the share bakes from an aspect.
+  [[nodiscard]] std::vector<atlas::PatchIndex> patches_from(std::size_t aspect) const {
+    std::vector<atlas::PatchIndex> patches;
+    for (std::size_t number = aspect; number < jobs_.size(); number += jobs_.aspects()) {
+      if (share_of_jobs_.has(number)) patches.push_back(jobs_[number].patch);
+    }
+    return patches;
+  }
+
   void make_levels_above() {
     if (atlas::Pyramid(store_).levels() == 0) return;
     std::size_t layers = 0;
@@ -326,10 +337,7 @@ class BakeRun {
       const atlas::Pyramid pyramid(store);
       atlas::MakingNotes notes;
       for (std::size_t aspect = 0; aspect < jobs_.aspects(); ++aspect) {
-        std::vector<atlas::PatchIndex> patches;
-        for (std::size_t number = aspect; number < jobs_.size(); number += jobs_.aspects()) {
-          if (share_of_jobs_.has(number)) patches.push_back(jobs_[number].patch);
-        }
+        const std::vector<atlas::PatchIndex> patches = patches_from(aspect);
         for (const atlas::LookIndex look : jobs_[aspect].looks) {
           report_.pyramid += pyramid.make_above(patches, look, share_.scrutiny, &notes);
           ++layers;

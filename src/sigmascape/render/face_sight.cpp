@@ -162,10 +162,11 @@ double FaceSight::part_passed(Vec3d point, Vec3d normal, Vec3d radar) const {
   }
   if (looked_at_m >= way.length_m) return 1.0;
   const double slope = Skyline::slope_to(point, radar, earth_);
-  if (slope < static_cast<double>(skyline_.before(way.place_at(looked_at_m)).solid)) return 0.0;
+  const Skyline::Slopes skyline = skyline_.before(way.place_at(looked_at_m));
+  if (slope < static_cast<double>(skyline.solid)) return 0.0;
   const Vec2d start = way.place_at(0.0);
-  const bool is_over_crowns =
-      slope > static_cast<double>(skyline_.before(start).crowns) && !(obstacles_.at(start).crown_top_m > 0.0F);
+  const float crowns = looked_at_m > 0.0 ? skyline_.before(start).crowns : skyline.crowns;
+  const bool is_over_crowns = slope > static_cast<double>(crowns) && !(obstacles_.at(start).crown_top_m > 0.0F);
   return is_over_crowns ? 1.0 : part_through_crowns(way);
 }
 

@@ -42,6 +42,8 @@ class SightLines {
     double end_m = 0.0;      ///< as far as is walked
 
     [[nodiscard]] double kept_from_m() const { return start_m + static_cast<double>(before) * step_m; }
+    /// Where a distance lies among those that are kept: step k from k to k + 1, walked in its middle.
+    [[nodiscard]] double place_of(double distance_m) const { return (distance_m - kept_from_m()) / step_m; }
   };
   [[nodiscard]] Steps steps_over(const radar::Rectangle& terrain_extent, double step_m) const;
 

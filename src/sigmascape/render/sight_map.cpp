@@ -23,8 +23,7 @@ SightMap::SightMap(const ReflectingGround& ground, const radar::Vantage& vantage
 terrain::Sight SightMap::at(Vec2d point) const {
   for (const Side& side : sides_) {
     if (!side.lines.go_to(point)) continue;
-    return side.sights.at((side.lines.distance_m(point) - side.steps.kept_from_m()) / side.steps.step_m,
-                          side.lines.line_of(point));
+    return side.sights.at(side.steps.place_of(side.lines.distance_m(point)), side.lines.line_of(point));
   }
   return {};
 }

@@ -53,8 +53,8 @@ Skyline::Skyline(const radar::ObstacleMap& obstacles, const terrain::HeightField
 Skyline::Slopes Skyline::before(Vec2d place) const {
   for (const Side& side : sides_) {
     if (!side.lines.go_to(place)) continue;
-    // Step k is walked in its middle.
-    const double steps = (side.lines.distance_m(place) - side.steps.kept_from_m()) / side.steps.step_m - 0.5;
+    // The last that is walked before the place.
+    const double steps = side.steps.place_of(side.lines.distance_m(place)) - 0.5;
     const double last_step = static_cast<double>(side.slopes.columns() - 1),
                  last_line = static_cast<double>(side.slopes.rows() - 1);
     return side.slopes(static_cast<std::size_t>(std::clamp(steps, 0.0, last_step)),
