@@ -207,7 +207,9 @@ void SceneStructures::meet(const RayPacket& packet, std::size_t lanes, const Num
 void SceneStructures::meet_again_from_nearby(RayPacket& packet, RayContext& context) const {
   bool any = false;
   for (std::size_t lane = 0; lane < lane_count; ++lane) {
-    const bool is_far = packet.has_met(lane) && packet.query.ray.tfar[lane] > longest_exact_m;
+    // Idle lanes may hold hits too: without sixteen-wide vectors Embree answers them with the others.
+    const bool asked = packet.valid[lane] != 0;
+    const bool is_far = asked && packet.has_met(lane) && packet.query.ray.tfar[lane] > longest_exact_m;
     packet.valid[lane] = is_far ? -1 : 0;
     any |= is_far;
   }
