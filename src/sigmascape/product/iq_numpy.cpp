@@ -29,12 +29,6 @@ ZipEntry vectors_entry(const std::string& name, const std::vector<double>& numbe
   return {name + ".npy", npy_bytes("<f8", shape, std::as_bytes(std::span(numbers)))};
 }
 
-/// The description as an array of bytes: text of NumPy's own would take four bytes a letter.
-ZipEntry words_entry(const std::string& name, const std::string& words) {
-  const std::array shape{words.size()};
-  return {name + ".npy", npy_bytes("|u1", shape, std::as_bytes(std::span(words)))};
-}
-
 /// The description with what other formats keep as arrays of their own.
 std::string description_with_places(const IqRecord& record) {
   using Json = nlohmann::ordered_json;
@@ -69,7 +63,7 @@ void write_iq_npz(const std::filesystem::path& path, const IqRecord& record) {
                                 vectors_entry(velocities_name, platform_numbers(record, &radar::Motion::velocity_mps))};
   if (!record.beam_azimuth_rad.empty()) entries.push_back(numbers_entry(beam_name, record.beam_azimuth_rad));
   for (const IqAxis& column : record.cuts) entries.push_back(numbers_entry(axis_name(column), column.values));
-  entries.push_back(words_entry("description_json", iq_description(record)));
+  entries.push_back({"description_json.npy", npy_text(iq_description(record))});
   geo::write_atomically(path, zip_bytes(entries, path.string(), "write HDF5 or SigMF"));
 }
 

@@ -65,11 +65,6 @@ ZipEntry axis_entry(const std::string& name, double first, double step, std::siz
   return {name + ".npy", npy_bytes("<f8", shape, std::as_bytes(std::span(places)))};
 }
 
-ZipEntry words_entry(const std::string& name, const std::string& words) {
-  const std::array shape{words.size()};
-  return {name + ".npy", npy_bytes("|u1", shape, std::as_bytes(std::span(words)))};
-}
-
 std::string archive_of(const MapView& map, MapScale scale, const std::string& where) {
   const std::string name = scale == MapScale::Linear ? map.quantity.name : map.quantity.decibel_name;
   const std::string place = geo::axis_unit(map.crs);
@@ -77,7 +72,7 @@ std::string archive_of(const MapView& map, MapScale scale, const std::string& wh
   return zip_bytes({{name + ".npy", numbers_bytes(map, scale)},
                     axis_entry("x_" + place, corner.x, map.grid.cell_m, map.grid.columns),
                     axis_entry("y_" + place, corner.y, -map.grid.cell_m, map.grid.rows),
-                    words_entry("description_json", description_of(map, scale))},
+                    {"description_json.npy", npy_text(description_of(map, scale))}},
                    where, "write GeoTIFF (.tif) or .npy");
 }
 

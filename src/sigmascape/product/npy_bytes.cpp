@@ -1,5 +1,6 @@
 #include "sigmascape/product/npy_bytes.h"
 
+#include <array>
 #include <bit>
 #include <fmt/format.h>
 
@@ -21,6 +22,11 @@ std::string npy_bytes(std::string_view type, std::span<const std::size_t> shape,
   bytes += words;
   bytes.append(reinterpret_cast<const char*>(numbers.data()), numbers.size());
   return bytes;
+}
+
+std::string npy_text(std::string_view words) {
+  const std::array shape{words.size()};
+  return npy_bytes("|u1", shape, std::as_bytes(std::span(words)));
 }
 
 }  // namespace sigmascape::product

@@ -12,4 +12,7 @@ namespace sigmascape::product {
 [[nodiscard]] std::string npy_bytes(std::string_view type, std::span<const std::size_t> shape,
                                     std::span<const std::byte> numbers);
 
+/// Words as a NumPy file of bytes: text of NumPy's own would take four bytes a letter.
+[[nodiscard]] std::string npy_text(std::string_view words);
+
 }  // namespace sigmascape::product

@@ -4,28 +4,13 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <numeric>
 #include <unordered_map>
 
 #include "sigmascape/base/hash.h"
+#include "sigmascape/scene/disjoint_groups.h"
 
 namespace sigmascape::scene {
 namespace {
-
-/// Groups of triangles that only ever grow together.
-class Groups {
- public:
-  explicit Groups(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0U); }
-
-  std::uint32_t representative(std::uint32_t member) {
-    while (parent_[member] != member) member = parent_[member] = parent_[parent_[member]];
-    return member;
-  }
-  void join(std::uint32_t a, std::uint32_t b) { parent_[representative(a)] = representative(b); }
-
- private:
-  std::vector<std::uint32_t> parent_;
-};
 
 /// The place of a vertex in whole millimetres, as one word.
 std::uint64_t place_of(Vec3f vertex) {
@@ -67,7 +52,7 @@ std::vector<float> facet_areas_m2(const Mesh& mesh, const std::vector<Vec3f>& ve
   std::vector<Vec3f> doubled(count);
   for (std::uint32_t t = 0; t < count; ++t) doubled[t] = doubled_area(vertices, mesh.triangles[t]);
 
-  Groups faces(count);
+  DisjointGroups faces(count);
   // Meshes that are to be seen from both sides hold each triangle twice: it is one face of one area.
   std::unordered_map<std::uint64_t, std::uint32_t> first_between;
   std::unordered_multimap<std::uint64_t, std::uint32_t> at_edge;
@@ -90,9 +75,9 @@ std::vector<float> facet_areas_m2(const Mesh& mesh, const std::vector<Vec3f>& ve
     }
   }
   std::vector<float> face_area(count, 0.0F);
-  for (std::uint32_t t = 0; t < count; ++t) face_area[faces.representative(t)] += 0.5F * length(doubled[t]);
+  for (std::uint32_t t = 0; t < count; ++t) face_area[faces.first_of(t)] += 0.5F * length(doubled[t]);
   std::vector<float> areas(count);
-  for (std::uint32_t t = 0; t < count; ++t) areas[t] = face_area[faces.representative(t)];
+  for (std::uint32_t t = 0; t < count; ++t) areas[t] = face_area[faces.first_of(t)];
   return areas;
 }
 

@@ -6,13 +6,13 @@
 #include <iterator>
 #include <limits>
 #include <map>
-#include <numeric>
 #include <set>
 #include <tuple>
 #include <utility>
 
 #include "sigmascape/base/interruption.h"
 #include "sigmascape/radar/rectangle_parts.h"
+#include "sigmascape/scene/disjoint_groups.h"
 
 namespace sigmascape::scene {
 namespace {
@@ -38,7 +38,7 @@ struct Part {
 };
 
 /// From west to east.
-std::vector<Part> parts_of(const std::vector<Footprint>& footprints) {
+std::vector<Part> parts_from_the_west(const std::vector<Footprint>& footprints) {
   std::vector<Part> parts;
   for (std::size_t i = 0; i < footprints.size(); ++i) {
     for (std::size_t k = 0; k < footprints[i].shape.size(); ++k)
@@ -52,7 +52,7 @@ std::vector<Part> parts_of(const std::vector<Footprint>& footprints) {
 /// east. The parts of one feature may be a whole town, so that its own box says nothing.
 template <typename Visit>
 void for_each_neighbours(const std::vector<Footprint>& footprints, const Visit& visit) {
-  const std::vector<Part> parts = parts_of(footprints);
+  const std::vector<Part> parts = parts_from_the_west(footprints);
   for (std::size_t k = 0; k < parts.size(); ++k) {
     Interruption::heed();
     const Part& one = parts[k];
@@ -119,23 +119,6 @@ bool belong_together(const Footprint& one, const Footprint& other, double common
          common_share >= merging_share;
 }
 
-/// For each footprint, the one that it has become part of: itself, or the first of its group.
-class Groups {
- public:
-  explicit Groups(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0U); }
-  [[nodiscard]] std::size_t first_of(std::size_t i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  void join(std::size_t a, std::size_t b) {
-    const auto [first, second] = std::minmax({first_of(a), first_of(b)});
-    parent_[second] = first;
-  }
-
- private:
-  std::vector<std::size_t> parent_;
-};
-
 bool is_sliver(const geo::Polygon& polygon) {
   const double area_m2 = geo::area_m2(polygon);
   return area_m2 < least_piece_m2 || 2.0 * area_m2 / geo::perimeter_m(polygon) < least_piece_width_m;
@@ -155,7 +138,7 @@ geo::Polygons united(std::span<const geo::Polygons> shapes) {
 }
 
 /// Makes one of each group, the first of it, and leaves nothing of the others, which it marks.
-void merge(std::vector<Footprint>& footprints, Groups& groups, std::vector<bool>& changed) {
+void merge(std::vector<Footprint>& footprints, DisjointGroups& groups, std::vector<bool>& changed) {
   std::map<std::size_t, std::vector<geo::Polygons>> shapes;
   for (std::size_t i = 0; i < footprints.size(); ++i) {
     const std::size_t first = groups.first_of(i);
@@ -177,7 +160,7 @@ struct Cut {
 /// Which cut which, each once, in the order of their overlaps: the taller the lower, the larger the smaller, the
 /// earlier the later.
 std::vector<Cut> cuts_among(const std::vector<Footprint>& footprints, const std::vector<Overlap>& overlaps,
-                            Groups& groups) {
+                            DisjointGroups& groups) {
   const std::vector<double> area_m2 = areas_m2(footprints);
   const auto rank = [&](std::size_t i) { return std::tuple(-footprints[i].height_m, -area_m2[i], i); };
   std::vector<Cut> cuts;
@@ -249,7 +232,7 @@ void replace_by(Pieces pieces, Footprint& footprint) {
 std::vector<Footprint> without_overlaps(std::vector<Footprint> footprints, std::span<FlawTally> tallies) {
   const auto overlaps = overlaps_among(footprints);
   std::vector<bool> changed(footprints.size(), false);
-  Groups groups(footprints.size());
+  DisjointGroups groups(footprints.size());
   const std::vector<double> before_m2 = areas_m2(footprints);
   for (const auto& [one, other, area_m2] : overlaps) {
     const double share = area_m2 / std::min(before_m2[one], before_m2[other]);
