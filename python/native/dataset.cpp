@@ -16,8 +16,8 @@ namespace {
 namespace py = pybind11;
 using dataset::DatasetReport;
 
-DatasetReport made(const std::filesystem::path& spec, const std::filesystem::path& folder, const std::string& shard,
-                   Threads threads, const py::object& progress) {
+DatasetReport made_dataset(const std::filesystem::path& spec, const std::filesystem::path& folder,
+                           const std::string& shard, Threads threads, const py::object& progress) {
   PythonProgress listener(progress);
   return long_call([&] {
     const bake::Shard share = bake::shard_from(shard);
@@ -42,7 +42,7 @@ void add_dataset(py::module_& module) {
             .format(r.samples, r.already, r.is_complete);
       });
   module.def(
-      "make_dataset", &made, py::arg("spec"), py::arg("folder"), py::kw_only(), py::arg("shard") = "0/1",
+      "make_dataset", &made_dataset, py::arg("spec"), py::arg("folder"), py::kw_only(), py::arg("shard") = "0/1",
       py::arg("threads") = 0, py::arg("progress") = py::none(),
       "Makes the labelled samples that the file `spec` asks for (TOML, docs/datasets.md) into `folder`: a\n"
       "DatasetReport. A run that was broken off, by Ctrl-C for one, goes on with the same call; while it is at\n"

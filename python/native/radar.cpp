@@ -87,8 +87,8 @@ void set_area_m(RadarFile& file, const std::optional<Area>& area_m) {
 }
 
 /// What a file that states no more than this says.
-RadarFile made(const std::string& name, double frequency_hz, double range_resolution_m, double beam_width_deg,
-               const std::string& polarization, double cell_m) {
+RadarFile made_radar(const std::string& name, double frequency_hz, double range_resolution_m, double beam_width_deg,
+                     const std::string& polarization, double cell_m) {
   RadarFile file;
   file.antenna_efficiency = 1.0;
   file.has_shortest_pulse = true;
@@ -270,7 +270,7 @@ void add_radar(py::module_& module) {
       "A mapping radar, where it stands, and what it maps. Everything that a radar file can say\n"
       "(docs/radar_file.md) is kept; what is changed most often are attributes.");
   binding
-      .def(py::init(&made), py::kw_only(), py::arg("name") = "radar", py::arg("frequency_hz") = 10e9,
+      .def(py::init(&made_radar), py::kw_only(), py::arg("name") = "radar", py::arg("frequency_hz") = 10e9,
            py::arg("range_resolution_m") = 2.0, py::arg("beam_width_deg") = 0.5, py::arg("polarization") = "vv",
            py::arg("cell_m") = 2.0, "All else is what a radar file leaves out: the gain follows from the beam.")
       .def_static(

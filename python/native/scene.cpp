@@ -52,7 +52,7 @@ std::string hash_of(const LoadedScene& loaded) {
   return long_call([&] { return loaded.hash(); });
 }
 
-py::dict info_of(const LoadedScene& loaded) {
+py::dict scene_info(const LoadedScene& loaded) {
   const scene::Scene& scene = loaded.scene();
   py::dict info;
   info["name"] = scene.name;
@@ -162,7 +162,7 @@ void add_scene(py::module_& module) {
             return s.scene().terrain.height_at(checked_place(x_m, y_m));
           },
           py::arg("x_m"), py::arg("y_m"), "Height of the bare ground at a point, in metres.")
-      .def("info", &info_of, "Extent, counts, materials and what was mended while reading, as a dict.")
+      .def("info", &scene_info, "Extent, counts, materials and what was mended while reading, as a dict.")
       .def("__repr__", [](const LoadedScene& s) { return "<sigmascape.Scene '" + s.scene().name + "'>"; });
 }
 

@@ -84,11 +84,12 @@ void place(TargetSource& source, const TargetArguments& arguments) {
   }
 }
 
-TargetSource made(const Pair& position_m, const std::string& name, double rcs_dbsm,
-                  const std::optional<double>& hv_dbsm, const std::string& bounces,
-                  const std::optional<double>& height_m, const std::optional<double>& altitude_m, double speed_mps,
-                  double heading_deg, double climb_mps, const std::vector<WayPoint>& way_points, SwerlingCase swerling,
-                  const Triple& size_m, Seed seed) {
+TargetSource made_target(const Pair& position_m, const std::string& name, double rcs_dbsm,
+                         const std::optional<double>& hv_dbsm, const std::string& bounces,
+                         const std::optional<double>& height_m, const std::optional<double>& altitude_m,
+                         double speed_mps, double heading_deg, double climb_mps,
+                         const std::vector<WayPoint>& way_points, SwerlingCase swerling, const Triple& size_m,
+                         Seed seed) {
   all_within("position_m", position_m, -1e7, 1e7);
   within("rcs_dbsm", rcs_dbsm, -100.0, 100.0);
   if (hv_dbsm) within("hv_dbsm", *hv_dbsm, -100.0, 100.0);
@@ -116,7 +117,7 @@ void add_targets(py::module_& module) {
   py::class_<TargetSource>(module, "Target",
                            "A point that answers on its own: a vehicle, a ship, a reflector. Maps are of the\n"
                            "moment time_s, zero when nothing is said.")
-      .def(py::init(&made), py::arg("position_m") = Pair{}, py::kw_only(), py::arg("name") = "target",
+      .def(py::init(&made_target), py::arg("position_m") = Pair{}, py::kw_only(), py::arg("name") = "target",
            py::arg("rcs_dbsm") = 10.0, py::arg("hv_dbsm") = py::none(), py::arg("bounces") = "odd",
            py::arg("height_m") = py::none(), py::arg("altitude_m") = py::none(), py::arg("speed_mps") = 0.0,
            py::arg("heading_deg") = 0.0, py::arg("climb_mps") = 0.0, py::arg("way_points") = std::vector<WayPoint>{},

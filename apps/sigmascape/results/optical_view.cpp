@@ -75,9 +75,9 @@ std::uint8_t srgb_level(float power) {
 }
 
 /// Looks down on the scene, one vertical ray at a time.
-class View {
+class ViewFromAbove {
  public:
-  View(const scene::Scene& scene, const trace::SceneGeometry& geometry)
+  ViewFromAbove(const scene::Scene& scene, const trace::SceneGeometry& geometry)
       : geometry_(geometry),
         colours_(colours_of(scene)),
         to_sun_(radar::direction_to_radar({radians_from_deg(135.0), radians_from_deg(40.0)}).to<float>()) {}
@@ -109,7 +109,7 @@ product::Picture optical_view(const scene::Scene& scene, const trace::SceneGeome
                   static_cast<std::size_t>(scene.extent.height_m() / pixel_m)};
   picture.pixels = Array2D<product::Rgba>(picture.grid.columns, picture.grid.rows);
   picture.metadata = {{"scene", scene.name}, {"attribution", scene.attribution}};
-  const View view(scene, geometry);
+  const ViewFromAbove view(scene, geometry);
   parallel_for(picture.grid.rows, threads, [&](std::size_t row, unsigned) {
     const trace::FlushDenormals flush;
     for (std::size_t column = 0; column < picture.grid.columns; ++column) {

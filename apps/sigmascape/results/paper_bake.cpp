@@ -15,8 +15,8 @@
 namespace sigmascape::cli {
 namespace {
 
-constexpr const char* settings_key = "bake_settings";
-constexpr const char* seconds_key = "bake_seconds";
+constexpr const char* bake_settings_key = "bake_settings";
+constexpr const char* bake_seconds_key = "bake_seconds";
 
 /// One square patch over all of the scene, a power of two of texels a side so that its mips end in one texel.
 radar::GroundGrid patch_over(const radar::Rectangle& extent, double texel_m) {
@@ -51,7 +51,7 @@ radar::GroundMap PaperBake::baked_or_kept(const radar::Aspect& aspect, std::uint
                   azimuth_deg, elevation_deg, plan_.bounces, seed_, trace::simd_setting(), bake::physics_revision);
   if (std::filesystem::exists(path)) {
     radar::GroundMap kept = product::read_ground_map(path);
-    if (kept.metadata[settings_key] == settings) return kept;
+    if (kept.metadata[bake_settings_key] == settings) return kept;
   }
   if (!baker_ || baker_samples_ != samples) {
     bake::BakeSettings bake = plan_.bake_settings(Method::Paper);
@@ -64,8 +64,8 @@ radar::GroundMap PaperBake::baked_or_kept(const radar::Aspect& aspect, std::uint
   radar::GroundMap map{.grid = texels_,
                        .sigma0 = baker_->bake(texels_, aspect),
                        .crs = scene_.frame.proj(),
-                       .metadata = {{settings_key, settings}}};
-  map.metadata[seconds_key] = fmt::format("{:.3f}", watch.seconds());
+                       .metadata = {{bake_settings_key, settings}}};
+  map.metadata[bake_seconds_key] = fmt::format("{:.3f}", watch.seconds());
   std::filesystem::create_directories(folder_);
   product::write_ground_map(path, map);
   return map;
@@ -77,7 +77,7 @@ PaperAtlas PaperBake::atlas_of(const atlas::AspectGrid& aspects, std::uint32_t s
   double seconds = 0.0;
   for (atlas::LookIndex look = 0; look < aspects.look_count(); ++look) {
     radar::GroundMap map = baked_or_kept(aspects.look(look).aspect, samples);
-    seconds += std::stod(map.metadata.at(seconds_key));
+    seconds += std::stod(map.metadata.at(bake_seconds_key));
     if (in_halves) round_to_halves(map.sigma0);
     looks.push_back(std::move(map.sigma0));
     progress.advanced("bake in the paper's way", look + 1.0, static_cast<double>(aspects.look_count()), "looks");

@@ -169,14 +169,14 @@ ResultsRow row_of(const std::vector<const ViewResult*>& views) {
   return row;
 }
 
-nlohmann::ordered_json json_of(const CellComparison& cell) {
+nlohmann::ordered_json entry_of(const CellComparison& cell) {
   nlohmann::ordered_json json;
   for (const Metric& metric : metrics) json[metric.key] = number_or_null(cell.*metric.value);
   return json;
 }
 
 /// Bounds at infinity are null.
-nlohmann::ordered_json json_of(const LevelErrors& errors) {
+nlohmann::ordered_json entry_of(const LevelErrors& errors) {
   auto json = nlohmann::ordered_json::array();
   for (const product::LevelError& range : errors) {
     json.push_back({{"from_db", number_or_null(range.from_db)},
@@ -187,15 +187,15 @@ nlohmann::ordered_json json_of(const LevelErrors& errors) {
   return json;
 }
 
-nlohmann::ordered_json json_of(const ResultsWithoutNoise& free) {
+nlohmann::ordered_json entry_of(const ResultsWithoutNoise& free) {
   return {{"views", free.views},
           {"correlation_db", number_or_null(free.correlation_db)},
           {"rms_db", number_or_null(free.rms_db)},
-          {"measured", json_of(free.measured)},
-          {"noise_floor", json_of(free.noise_floor)}};
+          {"measured", entry_of(free.measured)},
+          {"noise_floor", entry_of(free.noise_floor)}};
 }
 
-nlohmann::ordered_json json_of(const ResultsCase& of, const AtlasCost& atlas) {
+nlohmann::ordered_json entry_of(const ResultsCase& of, const AtlasCost& atlas) {
   return {{"scene", of.scene},
           {"method", text_of(of.method)},
           {"change", of.change},
@@ -317,33 +317,33 @@ nlohmann::ordered_json results_json(const ResultsPlan& plan, const std::vector<R
                               {"views", nlohmann::ordered_json::array()}};
   for (const ResultsRow& row : rows) {
     for (const ResultsCell& cell : row.cells) {
-      nlohmann::ordered_json entry = json_of(row.of, row.atlas);
+      nlohmann::ordered_json entry = entry_of(row.of, row.atlas);
       entry.update({{"views", row.views},
                     {"trace_s", row.trace_seconds},
                     {"render_ms", row.render_ms},
                     {"cell_m", cell.median.cell_m},
-                    {"median", json_of(cell.median)},
-                    {"worst", json_of(cell.worst)},
-                    {"noise_floor_median", json_of(cell.floor_median)},
-                    {"noise_floor_worst", json_of(cell.floor_worst)}});
+                    {"median", entry_of(cell.median)},
+                    {"worst", entry_of(cell.worst)},
+                    {"noise_floor_median", entry_of(cell.floor_median)},
+                    {"noise_floor_worst", entry_of(cell.floor_worst)}});
       if (cell.median.cell_m == summary_cell_m) {
-        entry["by_level"] = json_of(row.by_level);
-        entry["noise_by_level"] = json_of(row.noise_by_level);
-        if (row.without_noise.views > 0) entry["without_noise"] = json_of(row.without_noise);
+        entry["by_level"] = entry_of(row.by_level);
+        entry["noise_by_level"] = entry_of(row.noise_by_level);
+        if (row.without_noise.views > 0) entry["without_noise"] = entry_of(row.without_noise);
       }
       json["rows"].push_back(entry);
     }
   }
   for (const ViewResult& view : views) {
     for (const CellComparison& cell : view.comparison.at) {
-      nlohmann::ordered_json entry = json_of(view.of, view.atlas);
+      nlohmann::ordered_json entry = entry_of(view.of, view.atlas);
       entry.update({{"azimuth_deg", view.view.azimuth_deg},
                     {"elevation_deg", view.view.elevation_deg},
                     {"trace_s", view.trace_seconds},
                     {"render_ms", view.render_ms},
                     {"cell_m", cell.cell_m},
-                    {"metrics", json_of(cell)}});
-      if (const CellComparison* floor = view.noise_floor.at_cell(cell.cell_m)) entry["noise_floor"] = json_of(*floor);
+                    {"metrics", entry_of(cell)}});
+      if (const CellComparison* floor = view.noise_floor.at_cell(cell.cell_m)) entry["noise_floor"] = entry_of(*floor);
       json["views"].push_back(entry);
     }
   }

@@ -17,9 +17,9 @@
 namespace sigmascape::cli {
 namespace {
 
-constexpr const char* settings_key = "truth_settings";
+constexpr const char* truth_settings_key = "truth_settings";
 constexpr const char* samples_key = "truth_samples_per_cell";
-constexpr const char* seconds_key = "trace_seconds";
+constexpr const char* trace_seconds_key = "trace_seconds";
 
 constexpr std::uint64_t first_seed = 1001, second_seed = 1002;
 
@@ -48,18 +48,18 @@ radar::GroundMap traced(const MeasuredScene& measured, const PlannedView& view, 
   return described_map(image, radar, scene.terrain, grid, scene.frame,
                        {{"scene", scene.name},
                         {"processing", "level of detail 0: path-traced"},
-                        {settings_key, settings_text(measured, view, plan, seed)},
+                        {truth_settings_key, settings_text(measured, view, plan, seed)},
                         {samples_key, std::to_string(samples)},
-                        {seconds_key, fmt::format("{:.3f}", watch.seconds())}});
+                        {trace_seconds_key, fmt::format("{:.3f}", watch.seconds())}});
 }
 
 /// The map of any number of rays in that file when it is of those settings.
 std::optional<radar::GroundMap> kept_map(const std::filesystem::path& path, const std::string& settings) {
   if (!std::filesystem::exists(path)) return std::nullopt;
   radar::GroundMap map = product::read_ground_map(path);
-  const auto kept = map.metadata.find(settings_key);
+  const auto kept = map.metadata.find(truth_settings_key);
   if (kept == map.metadata.end() || kept->second != settings || !map.metadata.contains(samples_key) ||
-      !map.metadata.contains(seconds_key))
+      !map.metadata.contains(trace_seconds_key))
     return std::nullopt;
   return map;
 }
@@ -79,7 +79,7 @@ radar::GroundMap mean_of(const radar::GroundMap& a, std::uint32_t rays_of_a, con
 }
 
 double seconds_of(const radar::GroundMap& map) {
-  return std::stod(map.metadata.at(seconds_key));
+  return std::stod(map.metadata.at(trace_seconds_key));
 }
 
 /// The map `kept` with as many rays more as the view still wants. These have a seed of their own, which keeps the two
@@ -91,7 +91,7 @@ radar::GroundMap traced_on(const radar::GroundMap& kept, const MeasuredScene& me
   const radar::GroundMap added = traced(measured, view, plan, more, seed + 2 * std::uint64_t{before});
   radar::GroundMap map = mean_of(kept, before, added, more);
   map.metadata[samples_key] = std::to_string(view.traced_samples);
-  map.metadata[seconds_key] = fmt::format("{:.3f}", seconds_of(kept) + seconds_of(added));
+  map.metadata[trace_seconds_key] = fmt::format("{:.3f}", seconds_of(kept) + seconds_of(added));
   return map;
 }
 

@@ -13,8 +13,8 @@
 namespace sigmascape::atlas {
 namespace {
 
-constexpr std::size_t channels = radar::Channels::count;
-constexpr std::size_t tile_halves = tile_side * tile_side * channels;
+constexpr std::size_t texel_halves = radar::Channels::count;
+constexpr std::size_t tile_halves = tile_side * tile_side * texel_halves;
 
 struct CloseTiff {
   void operator()(TIFF* tiff) const { TIFFClose(tiff); }
@@ -45,7 +45,7 @@ bool is_level_of_side(TIFF& tiff, std::size_t side) {
          tag<std::uint32_t>(tiff, TIFFTAG_IMAGELENGTH) == side &&
          tag<std::uint32_t>(tiff, TIFFTAG_TILEWIDTH) == tile_side &&
          tag<std::uint32_t>(tiff, TIFFTAG_TILELENGTH) == tile_side &&
-         tag<std::uint16_t>(tiff, TIFFTAG_SAMPLESPERPIXEL) == channels &&
+         tag<std::uint16_t>(tiff, TIFFTAG_SAMPLESPERPIXEL) == texel_halves &&
          tag<std::uint16_t>(tiff, TIFFTAG_BITSPERSAMPLE) == 16 &&
          tag<std::uint16_t>(tiff, TIFFTAG_SAMPLEFORMAT) == SAMPLEFORMAT_IEEEFP &&
          tag<std::uint16_t>(tiff, TIFFTAG_PLANARCONFIG) == PLANARCONFIG_CONTIG;
@@ -53,16 +53,16 @@ bool is_level_of_side(TIFF& tiff, std::size_t side) {
 
 /// False when a tile cannot be read.
 bool read_tiles(TIFF& tiff, std::size_t side, std::vector<Half>& halves) {
-  constexpr std::size_t tile_row = tile_side * channels;
-  halves.resize(side * side * channels);
+  constexpr std::size_t tile_row = tile_side * texel_halves;
+  halves.resize(side * side * texel_halves);
   std::vector<Half> tile(tile_halves);
   const std::size_t tiles = side / tile_side;
   for (std::size_t index = 0; index < tiles * tiles; ++index) {
     const auto bytes = static_cast<tmsize_t>(tile_halves * sizeof(Half));
     if (TIFFReadEncodedTile(&tiff, static_cast<std::uint32_t>(index), tile.data(), bytes) != bytes) return false;
-    Half* corner = &halves[(index / tiles * side + index % tiles) * tile_side * channels];
+    Half* corner = &halves[(index / tiles * side + index % tiles) * tile_side * texel_halves];
     for (std::size_t row = 0; row < tile_side; ++row) {
-      std::copy_n(&tile[row * tile_row], tile_row, corner + row * side * channels);
+      std::copy_n(&tile[row * tile_row], tile_row, corner + row * side * texel_halves);
     }
   }
   return true;

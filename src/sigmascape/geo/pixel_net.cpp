@@ -8,8 +8,6 @@
 namespace sigmascape::geo {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
 bool is_finite(Vec2d position) {
   return std::isfinite(position.x) && std::isfinite(position.y);
 }
@@ -64,7 +62,7 @@ Vec2d PixelNet::exact_at(double column, double row) const {
 /// map's far ends are a good part of the globe apart, and near a pole degrees of longitude alone are short.
 void PixelNet::find_torn_meshes() {
   constexpr double much = 50.0, cells_astray = 1.0, sides_astray = 0.05;
-  double shortest = infinity;
+  double shortest = std::numeric_limits<double>::infinity();
   for (std::size_t j = 0; j + 1 < knots_.rows(); ++j) {
     for (std::size_t i = 0; i + 1 < knots_.columns(); ++i) {
       for (const double side : sides_of(knots_, i, j)) shortest = side < shortest ? side : shortest;

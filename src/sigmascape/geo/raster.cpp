@@ -29,7 +29,6 @@ namespace sigmascape::geo {
 namespace {
 
 constexpr float nan_height = std::numeric_limits<float>::quiet_NaN();
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 GDALDatasetUniquePtr open_raster(const std::filesystem::path& file) {
   if (is_absent(file)) throw Error(file.string(), "the file does not exist", "correct the path of the raster");

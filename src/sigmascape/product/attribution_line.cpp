@@ -10,7 +10,7 @@ namespace sigmascape::product {
 namespace {
 
 // In dots of the font.
-constexpr std::size_t margin = 4;
+constexpr std::size_t line_margin = 4;
 constexpr std::size_t line_height = glyph_height + 3;
 
 /// A narrower picture is made as wide as that: on fewer letters a line nobody could read it.
@@ -70,14 +70,16 @@ Picture with_attribution(const Picture& picture) {
   const auto attribution = picture.metadata.find("attribution");
   if (attribution == picture.metadata.end() || attribution->second.empty()) return picture;
   const std::size_t rows = picture.pixels.rows(), dot = legend_dot(picture.pixels.columns());
-  const std::size_t letter = text_width("nn", dot) - text_width("n", dot), margins = 2 * margin * dot;
+  const std::size_t letter = text_width("nn", dot) - text_width("n", dot), margins = 2 * line_margin * dot;
   const std::size_t columns = std::max(picture.pixels.columns(), margins + fewest_letters * letter);
   const std::vector<std::string> lines = broken_into_lines(spelled(attribution->second), (columns - margins) / letter);
 
   Picture signed_picture = picture;
-  signed_picture.pixels = with_room_below(picture.pixels, columns, (2 * margin + lines.size() * line_height) * dot);
+  signed_picture.pixels =
+      with_room_below(picture.pixels, columns, (2 * line_margin + lines.size() * line_height) * dot);
   for (std::size_t i = 0; i < lines.size(); ++i) {
-    draw_text(signed_picture.pixels, margin * dot, rows + (margin + i * line_height) * dot, lines[i], dot, legend_ink);
+    draw_text(signed_picture.pixels, line_margin * dot, rows + (line_margin + i * line_height) * dot, lines[i], dot,
+              legend_ink);
   }
   return signed_picture;
 }

@@ -8,7 +8,7 @@
 namespace sigmascape::product {
 namespace {
 
-constexpr std::size_t gap = 2;
+constexpr std::size_t thumbnail_gap = 2;
 
 }  // namespace
 
@@ -31,14 +31,14 @@ Array2D<std::uint8_t> thumbnail(const Picture& picture, std::size_t side) {
 
 Picture contact_sheet(std::span<const Array2D<std::uint8_t>> thumbnails) {
   if (thumbnails.empty()) throw Error("contact sheet", "has no pictures", "give one at least");
-  const std::size_t side = thumbnails.front().columns(), pitch = side + gap;
+  const std::size_t side = thumbnails.front().columns(), pitch = side + thumbnail_gap;
   const auto across = static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(thumbnails.size()))));
   const std::size_t down = (thumbnails.size() + across - 1) / across;
   Picture sheet;
-  sheet.pixels = Array2D<Rgba>(across * pitch + gap, down * pitch + gap, unseen_colour);
+  sheet.pixels = Array2D<Rgba>(across * pitch + thumbnail_gap, down * pitch + thumbnail_gap, unseen_colour);
   sheet.grid = {0.0, 0.0, 1.0, sheet.pixels.columns(), sheet.pixels.rows()};
   for (std::size_t k = 0; k < thumbnails.size(); ++k) {
-    const std::size_t left = gap + k % across * pitch, top = gap + k / across * pitch;
+    const std::size_t left = thumbnail_gap + k % across * pitch, top = thumbnail_gap + k / across * pitch;
     for (std::size_t row = 0; row < side; ++row) {
       for (std::size_t column = 0; column < side; ++column) {
         const std::uint8_t grey = thumbnails[k](column, row);

@@ -19,13 +19,13 @@ namespace {
 
 using radar::Channels;
 
-constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+constexpr float no_value = std::numeric_limits<float>::quiet_NaN();
 
 /// What a cell holds that nobody saw.
 template <typename Value>
-constexpr Value unseen{nan};
+constexpr Value unseen{no_value};
 template <>
-constexpr Channels unseen<Channels>{nan, nan, nan, nan};
+constexpr Channels unseen<Channels>{no_value, no_value, no_value, no_value};
 
 /// Points along the four sides of a rectangle: a straight side may become a bow.
 std::vector<Vec2d> outline_of(const radar::Rectangle& area) {

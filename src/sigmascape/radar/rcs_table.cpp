@@ -48,7 +48,7 @@ constexpr const char* names[] = {"azimuth_deg", "elevation_deg", "frequency_ghz"
                                  "hh_dbsm",     "hv_dbsm",       "vv_hh_correlation"};
 enum Column : std::size_t { Azimuth, Elevation, Frequency, Vv, Hh, Hv, Correlation, Columns };
 
-using Row = std::array<std::optional<double>, Columns>;
+using RcsRow = std::array<std::optional<double>, Columns>;
 
 struct Reader {
   const std::filesystem::path& path;
@@ -73,13 +73,13 @@ struct Reader {
     }
   }
 
-  [[nodiscard]] Row read_row(const std::string& line, std::size_t number) const {
+  [[nodiscard]] RcsRow read_row(const std::string& line, std::size_t number) const {
     const auto fields = csv_fields(line);
     if (fields.size() != columns.size()) {
       throw Error(at_line(number), fmt::format("has {} fields", fields.size()),
                   fmt::format("give {}, one a column", columns.size()));
     }
-    Row row;
+    RcsRow row;
     for (std::size_t i = 0; i < fields.size(); ++i) {
       const auto value = csv_number(fields[i]);
       if (!value)
@@ -119,7 +119,7 @@ void check_all_round(const std::vector<double>& azimuths_rad, const std::filesys
       fmt::format("tell it all round, in steps of at most {:g}°", widest_in_steps * deg_from_radians(second)));
 }
 
-Channels channels_of(const Row& row) {
+Channels channels_of(const RcsRow& row) {
   const double vv = linear_from_db(*row[Vv]), hh = linear_from_db(*row[Hh]);
   const double correlation = row[Correlation].value_or(1.0);
   return {static_cast<float>(vv), static_cast<float>(hh), row[Hv] ? static_cast<float>(linear_from_db(*row[Hv])) : 0.0F,
@@ -163,7 +163,7 @@ RcsTable read_rcs_table(const std::filesystem::path& path) {
   std::map<std::array<double, 3>, Entry> entries;
   for_each_csv_line(file, [&](const std::string& line, std::size_t number) {
     if (reader.columns.empty()) return reader.read_names(line, number);
-    const Row row = reader.read_row(line, number);
+    const RcsRow row = reader.read_row(line, number);
     const std::array<double, 3> key{row[Frequency].value_or(0.0) * 1e9, radians_from_deg(row[Elevation].value_or(0.0)),
                                     wrapped_azimuth(radians_from_deg(*row[Azimuth]))};
     // Tables often close the circle and tell 360° as well as 0°.

@@ -12,11 +12,11 @@ namespace sigmascape::receiver {
 namespace {
 
 /// Cells of a series beyond those that the target wanders through, for the tails.
-constexpr double tail_cells = 12.0;
+constexpr double series_tail_cells = 12.0;
 /// What wanders through ranges is shown in so many places of a cell.
 constexpr double subbands_a_range_cell = 2.0;
 constexpr double most_folds = 1e6;
-constexpr double most_cells = 4096.0, most_subbands = 512.0;
+constexpr double most_wander_cells = 4096.0, most_subbands = 512.0;
 /// Points with less than that part of the brightest one's power are left out.
 constexpr float least_power = 1e-6F;
 
@@ -129,7 +129,7 @@ double spread(const Band& band, double Believed::*number) {
 
 /// A part of the band about its middle that fades into its neighbours, so that all together are one. Whole where it is
 /// the only one.
-struct Subband {
+struct FadingSubband {
   std::size_t number = 0, count = 1;
 
   [[nodiscard]] double middle() const { return (static_cast<double>(number) + 0.5) / static_cast<double>(count) - 0.5; }
@@ -149,7 +149,7 @@ struct Series {
 };
 
 /// Where the processor sees the target in the middle of a sub-band, or nearest to it.
-std::optional<Believed> middle_of(const Band& band, const Subband& part) {
+std::optional<Believed> middle_of(const Band& band, const FadingSubband& part) {
   const auto samples = static_cast<double>(band.size());
   const auto middle = static_cast<std::size_t>(std::clamp((part.middle() + 0.5) * samples, 0.0, samples - 1.0));
   for (std::size_t off = 0; off < band.size(); ++off) {
@@ -168,7 +168,7 @@ double turns_beside(const Believed& other, const Believed& about, const StripPro
 }
 
 /// `turns_of_place`: those beside the place of the whole target, so that parts at several places add up.
-Series series_of(const StripTarget& target, const Band& band, const Subband& part, const Believed& about,
+Series series_of(const StripTarget& target, const Band& band, const FadingSubband& part, const Believed& about,
                  double turns_of_place) {
   const std::size_t samples = band.size();
   std::vector<std::complex<float>> left_over(samples);
@@ -236,14 +236,14 @@ std::vector<StripPart> strip_parts(const radar::Target& target, const StripProce
   const double subbands = std::clamp(
       std::ceil(subbands_a_range_cell * spread(glance, &Believed::closest_range_m) / processing.closest_range_cell_m),
       1.0, most_subbands);
-  const double wander_cells = std::min(std::ceil(spread(glance, &Believed::along_m) / cell_m), most_cells);
+  const double wander_cells = std::min(std::ceil(spread(glance, &Believed::along_m) / cell_m), most_wander_cells);
   // What changes from pulse to pulse is spread over all Doppler, of which the processor keeps its band; its ghosts,
   // which are smeared already, have the mean power.
   const bool changes_by_pulse = radar::changes_by_pulse(target.fluctuation), by_pulse = changes_by_pulse && order == 0;
   const double range_m = (*seen)->seen.range_m;
   const std::size_t samples =
       by_pulse ? strip.pulses(range_m)
-               : fast_length(static_cast<std::size_t>(2.0 * wander_cells + 4.0 * tail_cells * subbands));
+               : fast_length(static_cast<std::size_t>(2.0 * wander_cells + 4.0 * series_tail_cells * subbands));
   const double reach_cells = by_pulse ? strip.band_in_cells(range_m) : std::numeric_limits<double>::infinity();
   Band band = band_of(strip, fold, samples);
   if (by_pulse || !changes_by_pulse) fluctuate(band, target, processing.dwell, by_pulse);
@@ -252,7 +252,7 @@ std::vector<StripPart> strip_parts(const radar::Target& target, const StripProce
   std::vector<Series> all;
   float brightest = 0.0F;
   for (std::size_t number = 0; number < static_cast<std::size_t>(subbands); ++number) {
-    const Subband part{number, static_cast<std::size_t>(subbands)};
+    const FadingSubband part{number, static_cast<std::size_t>(subbands)};
     const auto about = middle_of(band, part);
     if (!about || !whole) return {};
     all.push_back(series_of(strip, band, part, *about, turns_beside(*whole, *about, processing)));

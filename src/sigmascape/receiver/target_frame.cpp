@@ -15,7 +15,7 @@ namespace {
 /// Targets that one thread looks at before it takes more.
 constexpr std::size_t chunk = 256;
 /// How many targets ahead bins are fetched from memory.
-constexpr std::uint32_t ahead = 16;
+constexpr std::uint32_t targets_ahead = 16;
 
 /// What a bin of a frame holds, and what a target brings to it.
 struct Amplitudes {
@@ -219,7 +219,7 @@ void TargetFrame::add(std::size_t first_beam, std::size_t count, float* frame) {
     if (from >= to) return;
     for (std::uint32_t i = starts_[slot]; i < starts_[slot + 1]; ++i) {
       const Placed& point = sorted_[i];
-      const Placed& next = sorted_[std::min<std::size_t>(i + ahead, sorted_.size() - 1)];
+      const Placed& next = sorted_[std::min<std::size_t>(i + targets_ahead, sorted_.size() - 1)];
       const std::ptrdiff_t next_range = std::clamp<std::ptrdiff_t>(next.first_range, 0, ranges - 1);
       const std::span<const float> across = Content::weights(bins_.across, point.beam_row);
       const std::span<const float> along = Content::weights(bins_.along, point.range_row);

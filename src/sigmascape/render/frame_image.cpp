@@ -25,7 +25,7 @@
 namespace sigmascape::render {
 namespace {
 
-constexpr std::size_t most_nodes_a_side = 2048;
+constexpr std::size_t most_nodes_across = 2048;
 
 radar::RangeAzimuthImage dark_image(const Frame& frame) {
   check_holds(frame, "image of a live frame");
@@ -134,7 +134,7 @@ GroundHeight ground_below(const Frame& frame, const LiveGround& ground) {
     seen = seen ? radar::joined(*seen, below) : below;
   }
   const auto window = std::make_shared<const terrain::TerrainWindow>(
-      ground.terrain().window_over(*seen, grid.range_step_m, most_nodes_a_side).nodes);
+      ground.terrain().window_over(*seen, grid.range_step_m, most_nodes_across).nodes);
   return [window, view = window->view()](Vec2d place) { return terrain::height_at(view, place); };
 }
 

@@ -8,15 +8,15 @@ namespace {
 
 /// By what part the sine of the grazing angle may change, and by how much that angle and the azimuth, before the looks
 /// are weighted anew.
-constexpr double aspect_step = 5e-4;
+constexpr double unchanged_aspect = 5e-4;
 
 }  // namespace
 
 void ReflectingGround::Looks::Cursor::turn_to(const atlas::Atlas& atlas, double new_azimuth_rad, double new_sin_grazing,
                                               double frequency_hz) {
   const double cosine = std::sqrt(std::max(0.0, 1.0 - new_sin_grazing * new_sin_grazing));
-  if (std::abs(new_sin_grazing - sin_grazing) <= aspect_step * std::min(std::abs(new_sin_grazing), cosine) &&
-      std::abs(new_azimuth_rad - azimuth_rad) <= aspect_step) {
+  if (std::abs(new_sin_grazing - sin_grazing) <= unchanged_aspect * std::min(std::abs(new_sin_grazing), cosine) &&
+      std::abs(new_azimuth_rad - azimuth_rad) <= unchanged_aspect) {
     return;
   }
   azimuth_rad = new_azimuth_rad;

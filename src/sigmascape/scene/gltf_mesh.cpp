@@ -13,23 +13,23 @@ namespace sigmascape::scene {
 namespace {
 
 /// Column-major 4 × 4 as glTF stores it, the last row left out: three columns and a translation.
-struct Placement {
+struct NodePlacement {
   std::array<Vec3d, 3> axis{Vec3d{1.0, 0.0, 0.0}, Vec3d{0.0, 1.0, 0.0}, Vec3d{0.0, 0.0, 1.0}};
   Vec3d origin;
 
   [[nodiscard]] Vec3d direction(Vec3d v) const { return axis[0] * v.x + axis[1] * v.y + axis[2] * v.z; }
   [[nodiscard]] Vec3d point(Vec3d v) const { return direction(v) + origin; }
-  [[nodiscard]] Placement then(const Placement& inner) const {
+  [[nodiscard]] NodePlacement then(const NodePlacement& inner) const {
     return {{direction(inner.axis[0]), direction(inner.axis[1]), direction(inner.axis[2])}, point(inner.origin)};
   }
 };
 
-Placement placement_of(const tinygltf::Node& node) {
+NodePlacement placement_of(const tinygltf::Node& node) {
   if (node.matrix.size() == 16) {
     const auto& m = node.matrix;
     return {{Vec3d{m[0], m[1], m[2]}, Vec3d{m[4], m[5], m[6]}, Vec3d{m[8], m[9], m[10]}}, {m[12], m[13], m[14]}};
   }
-  Placement placement;
+  NodePlacement placement;
   if (node.rotation.size() == 4) {
     const double x = node.rotation[0], y = node.rotation[1], z = node.rotation[2], w = node.rotation[3];
     placement.axis = {Vec3d{1.0 - 2.0 * (y * y + z * z), 2.0 * (x * y + z * w), 2.0 * (x * z - y * w)},
@@ -60,7 +60,7 @@ class GltfReader {
   ImportedMesh read() {
     if (model_.scenes.empty()) throw damaged("it has no scene");
     const std::size_t scene = model_.defaultScene < 0 ? 0 : static_cast<std::size_t>(model_.defaultScene);
-    for (const int root : checked(model_.scenes, scene, "scene").nodes) add_node(root, Placement{}, 0);
+    for (const int root : checked(model_.scenes, scene, "scene").nodes) add_node(root, NodePlacement{}, 0);
     return std::move(mesh_);
   }
 
@@ -79,13 +79,13 @@ class GltfReader {
     return checked(list, static_cast<std::size_t>(index), what);
   }
 
-  void add_node(int index, const Placement& parent, int depth) {
+  void add_node(int index, const NodePlacement& parent, int depth) {
     if (depth > 64) throw damaged("its nodes are nested more than 64 deep");
     const tinygltf::Node& node = checked(model_.nodes, index, "node");
-    const Placement placement = parent.then(placement_of(node));
+    const NodePlacement placement = parent.then(placement_of(node));
     if (node.mesh >= 0) {
       const auto& parts = checked(model_.meshes, node.mesh, "mesh").primitives;
-      for (const Placement& instance : instances_of(node)) {
+      for (const NodePlacement& instance : instances_of(node)) {
         for (const tinygltf::Primitive& part : parts) add_primitive(part, placement.then(instance));
       }
     }
@@ -93,9 +93,9 @@ class GltfReader {
   }
 
   /// Where the mesh of a node stands within the node: once at its origin, or wherever the extension says.
-  [[nodiscard]] std::vector<Placement> instances_of(const tinygltf::Node& node) const {
+  [[nodiscard]] std::vector<NodePlacement> instances_of(const tinygltf::Node& node) const {
     const auto extension = node.extensions.find(instancing);
-    if (extension == node.extensions.end() || !extension->second.Has("attributes")) return {Placement{}};
+    if (extension == node.extensions.end() || !extension->second.Has("attributes")) return {NodePlacement{}};
     const tinygltf::Value& attributes = extension->second.Get("attributes");
     const auto translations = vectors_in(attributes, "TRANSLATION", TINYGLTF_TYPE_VEC3),
                rotations = vectors_in(attributes, "ROTATION", TINYGLTF_TYPE_VEC4),
@@ -105,7 +105,7 @@ class GltfReader {
     if (!fits(translations) || !fits(rotations) || !fits(scales)) {
       throw damaged(fmt::format("its node '{}' has instances with fewer of one attribute than of another", node.name));
     }
-    std::vector<Placement> instances;
+    std::vector<NodePlacement> instances;
     for (std::size_t i = 0; i < count; ++i) {
       tinygltf::Node instance;
       if (!translations.empty()) instance.translation = translations[i];
@@ -135,7 +135,7 @@ class GltfReader {
     return vectors;
   }
 
-  void add_primitive(const tinygltf::Primitive& part, const Placement& placement) {
+  void add_primitive(const tinygltf::Primitive& part, const NodePlacement& placement) {
     if (part.mode >= TINYGLTF_MODE_POINTS && part.mode <= TINYGLTF_MODE_LINE_STRIP) return;
     const auto position = part.attributes.find("POSITION");
     if (position == part.attributes.end()) return;
@@ -186,7 +186,7 @@ class GltfReader {
     return {buffer.data() + start, static_cast<std::size_t>(stride)};
   }
 
-  std::size_t add_vertices(const tinygltf::Accessor& accessor, const Placement& placement) {
+  std::size_t add_vertices(const tinygltf::Accessor& accessor, const NodePlacement& placement) {
     if (accessor.componentType != TINYGLTF_COMPONENT_TYPE_FLOAT || accessor.type != TINYGLTF_TYPE_VEC3) {
       throw damaged("its vertices are not three floats each");
     }

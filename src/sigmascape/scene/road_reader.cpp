@@ -94,12 +94,12 @@ double distance_m(Vec2d point, Vec2d from, Vec2d to) {
   return length(point - (from + along * t));
 }
 
-struct Span {
+struct Stretch {
   double least, greatest;
 };
 
 /// Between which x lies what of the line from one point to another has a y within a span; nothing where none of it has.
-std::optional<Span> x_between(Vec2d from, Vec2d to, const Span& y) {
+std::optional<Stretch> x_between(Vec2d from, Vec2d to, const Stretch& y) {
   if (from.y > to.y) std::swap(from, to);
   if (to.y < y.least || from.y > y.greatest) return std::nullopt;
   const auto x_at = [&](double at) {
@@ -108,7 +108,7 @@ std::optional<Span> x_between(Vec2d from, Vec2d to, const Span& y) {
   const bool is_level = from.y == to.y;
   const auto [least, greatest] =
       is_level ? std::minmax({from.x, to.x}) : std::minmax({x_at(y.least), x_at(y.greatest)});
-  return Span{least, greatest};
+  return Stretch{least, greatest};
 }
 
 /// Paints every dry cell whose centre lies within the half width of a line. Of each row only the cells beside the line

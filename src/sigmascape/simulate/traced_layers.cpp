@@ -15,7 +15,7 @@ namespace sigmascape::simulate {
 namespace {
 
 /// Arcs and rays from above reach this far over the highest thing.
-constexpr double clearance_m = 1.0;
+constexpr double arc_clearance_m = 1.0;
 /// Pieces of an arc bulge from their chords by no more than this part of a cell.
 constexpr double bulge_cells = 0.05;
 /// Arcs a cell: what lies over a sixteenth of it is found as a rule.
@@ -92,7 +92,7 @@ class CellProbe {
   }
 
   Top seen_from_above(const LayerPlace& place) {
-    const double top_m = geometry_.highest_m() + clearance_m;
+    const double top_m = geometry_.highest_m() + arc_clearance_m;
     double distance_m = 0.0;
     scene::MaterialIndex material = 0;
     const Vec3d from{place.ground.x, place.ground.y, top_m};
@@ -118,7 +118,7 @@ class CellProbe {
     const double distance_m = length(away), range_m = length(ground - radar);
     if (distance_m == 0.0) return false;
     const Vec2d outwards = away * (1.0 / distance_m);
-    const double lowest = std::asin(std::min(1.0, (radar.z - geometry_.highest_m() - clearance_m) / range_m));
+    const double lowest = std::asin(std::min(1.0, (radar.z - geometry_.highest_m() - arc_clearance_m) / range_m));
     const double first = std::atan2(radar.z - ground.z, distance_m) - own_m / range_m;
     const double step = std::sqrt(8.0 * bulge_cells * cell_m_ / range_m);
     const auto at = [&](double depression) {

@@ -16,7 +16,7 @@
 namespace sigmascape::terrain {
 namespace {
 
-constexpr auto cells = static_cast<std::int64_t>(HeightTile::cells);
+constexpr auto cells_a_side = static_cast<std::int64_t>(HeightTile::cells);
 /// Rises when the same raster gives other heights, so that tiles of both are never mixed.
 constexpr int revision_of_heights = 3;
 
@@ -29,17 +29,18 @@ class LevelNodes {
   /// Nodes of the level from (column, row) on; beyond the last tile its edge goes on.
   Array2D<float> block(std::int64_t column, std::int64_t row, std::size_t side) {
     Array2D<float> result(side, side);
-    const std::int64_t last_column = cells * layout_.across(level_), last_row = cells * layout_.down(level_);
+    const std::int64_t last_column = cells_a_side * layout_.across(level_),
+                       last_row = cells_a_side * layout_.down(level_);
     for (std::size_t j = 0; j < side; ++j) {
       const std::int64_t at_row = std::clamp<std::int64_t>(row + static_cast<std::int64_t>(j), 0, last_row);
       for (std::size_t i = 0; i < side; ++i) {
         const std::int64_t at_column = std::clamp<std::int64_t>(column + static_cast<std::int64_t>(i), 0, last_column);
-        const auto tile_column = std::min<std::int64_t>(at_column / cells, layout_.across(level_) - 1);
-        const auto tile_row = std::min<std::int64_t>(at_row / cells, layout_.down(level_) - 1);
+        const auto tile_column = std::min<std::int64_t>(at_column / cells_a_side, layout_.across(level_) - 1);
+        const auto tile_row = std::min<std::int64_t>(at_row / cells_a_side, layout_.down(level_) - 1);
         const HeightTile& held =
             tile({level_, static_cast<std::uint32_t>(tile_column), static_cast<std::uint32_t>(tile_row)});
-        const auto within = static_cast<std::size_t>(at_row - cells * tile_row) * HeightTile::nodes +
-                            static_cast<std::size_t>(at_column - cells * tile_column);
+        const auto within = static_cast<std::size_t>(at_row - cells_a_side * tile_row) * HeightTile::nodes +
+                            static_cast<std::size_t>(at_column - cells_a_side * tile_column);
         result(i, j) = held.height_m[within];
       }
     }
@@ -321,7 +322,8 @@ std::vector<Array2D<TileSummary>> build_tiles(const PyramidLayout& layout, const
           tile.height_m = finest(key);
           note_bounds(tile);
         } else {
-          const auto finer = nodes.block(2 * cells * column - 1, 2 * cells * row - 1, 2 * HeightTile::cells + 3);
+          const auto finer =
+              nodes.block(2 * cells_a_side * column - 1, 2 * cells_a_side * row - 1, 2 * HeightTile::cells + 3);
           tile = coarser(finer);
           tile.summary = joined_with_children(key, tile.summary, summaries.back());
           tile.summary.error_m += distance_between(tile, finer);

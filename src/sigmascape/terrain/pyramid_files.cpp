@@ -25,8 +25,6 @@ namespace {
 /// What headings say of pyramids that were made from a field in memory.
 constexpr std::string_view from_field = "height field";
 
-constexpr auto cells = static_cast<std::int64_t>(HeightTile::cells);
-
 /// Of a tile and its place, so that one tile does not pass for another.
 std::string digest_of(TileKey key, const std::vector<float>& heights) {
   Sha256 digest;
@@ -193,7 +191,7 @@ void write_index(const std::filesystem::path& folder, const PyramidLayout& layou
     highest.values()[i] = summaries.values()[i].highest_m;
     error.values()[i] = summaries.values()[i].error_m;
   }
-  const double side_m = layout.spacing_at(level) * static_cast<double>(cells);
+  const double side_m = layout.spacing_at(level) * static_cast<double>(HeightTile::cells);
   geo::write_geotiff(
       index_path(folder, level),
       {.placement = {layout.west_m, layout.north_m, side_m, crs},

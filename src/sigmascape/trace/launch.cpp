@@ -17,8 +17,6 @@
 namespace sigmascape::trace {
 namespace {
 
-constexpr std::int32_t tile = tile_side_cells;
-
 /// The target and all places so far before and beside it where anything may begin.
 LaunchRing ring_about(const Viewpoint& viewpoint, const radar::Rectangle& target, double plane_height_m,
                       const MultibounceReach& reach) {
@@ -205,7 +203,7 @@ LaunchArea launch_outline(const Viewpoint& viewpoint, const radar::Rectangle& ta
 
 void list_cells(LaunchArea& outline) {
   const std::vector<LaunchTile> tiles = tiles_aimed_at(outline);
-  const std::int32_t grain = outline.grain, squares = tile / grain;
+  const std::int32_t grain = outline.grain, squares = tile_side_cells / grain;
   outline.shares = LaunchShares(tiles, squares);
   outline.cells.clear();
   for (const auto& [ti, tj] : tiles) {

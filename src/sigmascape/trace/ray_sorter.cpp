@@ -11,7 +11,7 @@ namespace {
 constexpr unsigned digit_bits = 8, key_bits = 3 * digit_bits;
 
 /// The last five bits of a number with two places between each two.
-std::uint32_t spread(std::uint32_t number) {
+std::uint32_t spread_in_three(std::uint32_t number) {
   std::uint32_t bits = number & 0x1fU;
   bits = (bits | bits << 8U) & 0x100fU;
   bits = (bits | bits << 4U) & 0x10c3U;
@@ -19,7 +19,7 @@ std::uint32_t spread(std::uint32_t number) {
 }
 
 std::uint32_t along_curve(std::uint32_t x, std::uint32_t y, std::uint32_t z) {
-  return spread(x) | spread(y) << 1U | spread(z) << 2U;
+  return spread_in_three(x) | spread_in_three(y) << 1U | spread_in_three(z) << 2U;
 }
 
 std::uint32_t whole_metres(float coordinate_m) {

@@ -55,7 +55,7 @@ void bound_crown(const RTCBoundsFunctionArguments* arguments) {
 }
 
 /// The bits of a number apart from one another, with a place between each two.
-std::uint64_t spread(std::uint32_t number) {
+std::uint64_t spread_in_two(std::uint32_t number) {
   std::uint64_t bits = number;
   for (const auto& [step, mask] : {std::pair{16U, 0x0000ffff0000ffffULL},
                                    {8U, 0x00ff00ff00ff00ffULL},
@@ -72,7 +72,7 @@ std::uint64_t place_on_curve(const scene::Instance& instance) {
   const auto steps_m = [](float place_m) {
     return static_cast<std::uint32_t>(static_cast<std::int32_t>(place_m)) ^ 0x80000000U;
   };
-  return spread(steps_m(instance.x_m)) | spread(steps_m(instance.y_m)) << 1U;
+  return spread_in_two(steps_m(instance.x_m)) | spread_in_two(steps_m(instance.y_m)) << 1U;
 }
 
 /// An instance that matters.
