@@ -3,9 +3,11 @@
 JOBS ?= $(shell nproc)
 CCACHE := $(shell command -v ccache 2> /dev/null)
 
-# All is said each time, for CMake remembers what it was told last. What includes precompiled headers is not kept by ccache.
+# All is said each time, for CMake remembers what it was told last. What includes precompiled headers is not kept by ccache,
+# and several sources compiled as one are seldom the same again. Under the sanitizers each is compiled by itself, too.
 configure = cmake --preset $(1) -DSIGMASCAPE_BENCHMARKS=$(or $(2),OFF) \
-	-DCMAKE_CXX_COMPILER_LAUNCHER=$(CCACHE) -DCMAKE_DISABLE_PRECOMPILE_HEADERS=$(if $(CCACHE),ON,OFF)
+	-DCMAKE_CXX_COMPILER_LAUNCHER=$(CCACHE) -DCMAKE_DISABLE_PRECOMPILE_HEADERS=$(if $(CCACHE),ON,OFF) \
+	-DCMAKE_UNITY_BUILD=$(if $(CCACHE),OFF,$(if $(filter release,$(1)),ON,OFF))
 build = cmake --build build/$(1) --parallel $(JOBS)
 run_tests = ctest --test-dir build/$(1) --parallel $(JOBS) --output-on-failure
 sanitized = tools/with_sanitizer_options

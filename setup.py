@@ -18,8 +18,8 @@ class CMakeBuild(build_ext):
     def build_extension(self, extension):
         folder = root / "build" / "pip"
         generator = ["-G", "Ninja"] if shutil.which("ninja") else []
-        subprocess.run(["cmake", "-S", root, "-B", folder, *generator, "-DCMAKE_BUILD_TYPE=Release", "-DSIGMASCAPE_TESTS=OFF",
-                        "-DSIGMASCAPE_PYTHON=ON", f"-DPython_EXECUTABLE={sys.executable}"], check=True)
+        subprocess.run(["cmake", "-S", root, "-B", folder, *generator, "-DCMAKE_BUILD_TYPE=Release", "-DCMAKE_UNITY_BUILD=ON",
+                        "-DSIGMASCAPE_TESTS=OFF", "-DSIGMASCAPE_PYTHON=ON", f"-DPython_EXECUTABLE={sys.executable}"], check=True)
         subprocess.run(["cmake", "--build", folder, "--parallel", str(os.cpu_count()), "--target", "sigmascape_python"], check=True)
         built = folder / "python" / "sigmascape" / f"_native{sysconfig.get_config_var('EXT_SUFFIX')}"
         target = pathlib.Path(self.get_ext_fullpath(extension.name))
