@@ -61,8 +61,8 @@ TEST(LooksOfMap, GiveTheMapOfAllLooksToTheBit) {
   const terrain::HeightField terrain = hills();
   const atlas::Atlas all = atlas::load_atlas(store);
   std::size_t read = 0, looks = 0, maps = 0;
-  for (const double azimuth_deg : {0.0, 44.9, 130.0, 352.0}) {
-    for (const double elevation_deg : {3.0, 8.6, 13.0, 60.0, 89.0}) {
+  for (const double azimuth_deg : {0.0, 44.9, 352.0}) {
+    for (const double elevation_deg : {3.0, 8.6, 60.0, 89.0}) {
       for (const double range_m : {400.0, 20e3}) {
         radar::Radar radar;
         radar.position =
