@@ -5,16 +5,9 @@
 #include <string>
 
 #include "command_parser.h"
+#include "output.h"
 
 namespace sigmascape::cli {
-
-/// What every subcommand offers besides its own options.
-struct Output {
-  bool json = false;  ///< print the summary as JSON on standard output instead of text
-
-  /// Prints `text`, or `summary` when JSON was asked for.
-  void finish(const std::string& text, const nlohmann::ordered_json& summary) const;
-};
 
 /// Each adds its subcommand, with examples in its help; its work runs when CLI11 has parsed the line.
 void add_scene_command(Command app, Output& output);

@@ -1,11 +1,9 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cctype>
-#include <cerrno>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
 #include <exception>
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -21,32 +19,10 @@
 #include "command.h"
 #include "standard_error.h"
 
-#include "sigmascape/base/error.h"
 #include "sigmascape/base/toml_reader.h"
 #include "sigmascape/product/software.h"
 
 namespace sigmascape::cli {
-namespace {
-
-/// Throws Error when what was printed did not get to where it was to go.
-void flush_standard_output() {
-  const bool is_flushed = std::fflush(stdout) == 0;
-  if (is_flushed && std::ferror(stdout) == 0) return;
-  // When an earlier write failed, its reason is not known any more.
-  const std::string reason = is_flushed ? "" : fmt::format(" ({})", std::strerror(errno));
-  throw Error("standard output", "cannot be written" + reason, "send it to where there is room");
-}
-
-}  // namespace
-
-void Output::finish(const std::string& text, const nlohmann::ordered_json& summary) const {
-  // Names of files may be of any bytes, which JSON may not.
-  const std::string written =
-      json ? summary.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) : text;
-  std::fputs((written + "\n").c_str(), stdout);
-  flush_standard_output();
-}
-
 namespace {
 
 /// "bake", "atlas info", or the program's own name.
