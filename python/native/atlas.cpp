@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <optional>
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
@@ -13,6 +14,8 @@
 #include "text_with_file_names.h"
 
 #include "sigmascape/atlas/atlas_summary.h"
+#include "sigmascape/atlas/building_file.h"
+#include "sigmascape/atlas/building_textures.h"
 #include "sigmascape/atlas/ground_layers.h"
 #include "sigmascape/base/error.h"
 #include "sigmascape/base/units.h"
@@ -116,6 +119,38 @@ py::array_t<float> sigma0_at(const LoadedAtlas& loaded, const Points& x_m, const
   return result;
 }
 
+py::list list_of(const std::optional<atlas::StoreFault>& fault) {
+  py::list faults;
+  if (fault) faults.append(py::dict(py::arg("file") = fault->file.string(), py::arg("fault") = fault->what));
+  return faults;
+}
+
+py::dict files_of(const atlas::AtlasSummary::Files& files) {
+  return py::dict(py::arg("files") = files.planned, py::arg("files_done") = files.done);
+}
+
+/// Of a layer in a store of its own. How many files it has nobody knows without its collection.
+py::dict files_of(const atlas::AtlasSummary::Files& files, const std::optional<atlas::StoreFault>& of_collection) {
+  py::dict layer = files_of(files);
+  if (of_collection) layer["files"] = py::none();
+  layer["faults"] = list_of(of_collection);
+  return layer;
+}
+
+/// What is kept beside the textures of looks: None of each kind that this atlas is not to have.
+void add_layers(py::dict& info, const atlas::Store& store, const atlas::AtlasSummary& summary) {
+  for (const char* layer : {"obstacles", "ground", "buildings"}) info[layer] = py::none();
+  if (atlas::keeps_ground_apart(store)) {
+    info["obstacles"] = files_of(summary.obstacles);
+    info["ground"] = files_of(summary.ground, summary.ground_fault);
+  }
+  if (!atlas::keeps_buildings_apart(store.description())) return;
+  py::dict buildings(py::arg("faults") = list_of(summary.buildings_fault), py::arg("textures") = py::none());
+  if (atlas::keeps_building_textures(store.description()))
+    buildings["textures"] = files_of(summary.building_textures, summary.building_textures_fault);
+  info["buildings"] = buildings;
+}
+
 py::dict info_of(const LoadedAtlas& loaded) {
   const atlas::AtlasDescription& description = loaded.description();
   const atlas::AtlasSummary summary = long_call([&] { return atlas::summary_of(loaded.store()); });
@@ -127,6 +162,9 @@ py::dict info_of(const LoadedAtlas& loaded) {
   info["patches"] = summary.patches;
   info["looks"] = summary.looks;
   info["looks_done"] = summary.looks_done;
+  info["pyramid"] = py::dict(py::arg("levels") = summary.pyramid_levels, py::arg("textures") = summary.pyramid.planned,
+                             py::arg("textures_done") = summary.pyramid.done);
+  add_layers(info, loaded.store(), summary);
   info["bytes"] = summary.bytes;
   info["relative_standard_error"] = summary.errors.relative();
   info["above_target"] = summary.errors.part_above_target();

@@ -131,14 +131,18 @@ def test_buildings_that_are_kept_apart_are_in_maps_and_in_live_frames_where_they
     options = dict(azimuths=1, elevations_deg=[30.0], texel_m=2.0, patch_texels=256, samples=8, bounces=1, progress=False)
     radar = sigmascape.Radar(range_resolution_m=2.0, beam_width_deg=0.1, cell_m=2.0)
     radar.see_from(azimuth_deg=0.0, elevation_deg=30.0, slant_range_m=2500.0)
-    power = {}
+    power, info = {}, {}
     for buildings in ["baked", "apart", "both"]:
         sigmascape.bake(town, tmp_path / buildings, buildings=buildings, **options)
+        info[buildings] = sigmascape.Atlas(tmp_path / buildings).info()
         map_of_town = sigmascape.render(town, radar, atlas=sigmascape.Atlas(tmp_path / buildings), progress=False)
         power[buildings] = np.nansum(map_of_town.vv)
     assert (tmp_path / "apart" / "buildings.glb").exists() and not (tmp_path / "baked" / "buildings.glb").exists()
     assert power["apart"] == pytest.approx(power["baked"], rel=0.05)
     assert power["both"] == power["apart"]
+    assert info["baked"]["buildings"] is None and info["apart"]["buildings"] == {"faults": [], "textures": None}
+    textures = info["both"]["buildings"]["textures"]
+    assert textures["files"] == textures["files_done"] == len(list((tmp_path / "both" / "buildings").rglob("az*GHz.tif")))
     assert sigmascape.LiveGround(tmp_path / "both")
     with pytest.raises(sigmascape.Error, match="keeps its buildings apart"):
         sigmascape.LiveGround(tmp_path / "apart")
