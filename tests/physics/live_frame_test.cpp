@@ -44,6 +44,7 @@ double worst_db(const Frame& frame, double height_m) {
 ExampleGround level_ground(bool apart) {
   ExampleGround ground;
   ground.patches_a_side = 4;
+  ground.azimuths = 2;  // it is the same from everywhere; few looks are soon written
   const auto sigma0 = [](const radar::Look& look) { return constant_gamma(gamma, look); };
   ground.sigma0 = apart ? [](const radar::Look&) { return radar::Channels{}; } : decltype(ground.sigma0)(sigma0);
   if (apart) ground.bare_sigma0 = sigma0;
@@ -250,7 +251,6 @@ constexpr double radar_height_m = 1000.0;
 struct Sea {
   explicit Sea(bool apart) : example(level_ground(apart)) {
     example.texel_m = 400.0;
-    // The sea is the same from everywhere; few looks are soon written.
     example.elevations_deg = {5.0, 37.0};
     example.ground_elevations_deg = {2.0, 45.0};
     example.terrain_spacing_m = 1000.0;
