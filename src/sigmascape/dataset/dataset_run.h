@@ -28,9 +28,9 @@ struct DatasetReport {
 /// threads, shares and interruptions. In memory are the samples that are being made, of tar files those that wait for
 /// one before them, and of the lots that are being made what their indices tell.
 ///
-/// Throws Error when another dataset is in the folder, or one begun with another radar file or atlas, when there is none
-/// but something of others by a name under which it writes, when another run, in whatever process, is making some of
-/// these samples there, or when a file cannot be written.
+/// Throws Error when another dataset is in the folder, or one begun with another radar file or atlas, when there is
+/// none but something of others by a name under which it writes, when another run, in whatever process, is making some
+/// of these samples there, or when a file cannot be written.
 DatasetReport make_dataset(const SampleMaker& maker, const std::filesystem::path& folder, const DatasetShare& share,
                            ProgressListener& progress);
 
