@@ -6,10 +6,9 @@ target_compile_options(sigmascape_options INTERFACE
   -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror -ffp-contract=off
   $<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds> $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict> $<$<CXX_COMPILER_ID:GNU>:-Wno-stringop-overflow>)
 # Several sources compiled as one hide from these warnings whose names are whose.
-if(CMAKE_UNITY_BUILD)
-  target_compile_options(sigmascape_options INTERFACE
-    -Wno-shadow $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
-endif()
+set(as_one $<BOOL:$<TARGET_PROPERTY:UNITY_BUILD>>)
+target_compile_options(sigmascape_options INTERFACE
+  $<${as_one}:-Wno-shadow> $<$<AND:${as_one},$<CXX_COMPILER_ID:GNU>>:-Wno-subobject-linkage>)
 if(SIGMASCAPE_SANITIZER)
   target_compile_options(sigmascape_options INTERFACE -fsanitize=${SIGMASCAPE_SANITIZER} -fno-omit-frame-pointer)
   target_link_options(sigmascape_options INTERFACE -fsanitize=${SIGMASCAPE_SANITIZER})

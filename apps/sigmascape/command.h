@@ -1,9 +1,5 @@
 #pragma once
 
-#include <memory>
-#include <nlohmann/json.hpp>
-#include <string>
-
 #include "command_parser.h"
 #include "output.h"
 

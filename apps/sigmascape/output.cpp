@@ -4,7 +4,6 @@
 #include <cstdio>
 #include <cstring>
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "sigmascape/base/error.h"
 

@@ -7,13 +7,12 @@
 #include <fmt/format.h>
 
 #include "sigmascape/atlas/ground_layers.h"
+#include "sigmascape/atlas/half_texture.h"
 #include "sigmascape/atlas/texel_blend.h"
 #include "sigmascape/radar/rectangle_parts.h"
 
 namespace sigmascape::atlas {
 namespace {
-
-constexpr std::size_t channels = radar::Channels::count;
 
 /// Weights of looks times the scale under which each was stored on one patch.
 std::array<float, 8> stored_weights(const AspectWeights& weights, const std::vector<float>& scales) {
@@ -118,7 +117,7 @@ radar::Channels Atlas::at_level(Vec2d point_m, const AspectWeights& weights, std
     const auto row_in_patch = static_cast<std::size_t>(texel_row & (side - 1));
     const auto column_in_patch = static_cast<std::size_t>(texel_column & (side - 1));
     const std::size_t texel = (row_in_patch << log2_side) + column_in_patch;
-    parts.texels[n] = {.looks = looks_of_patch + texel * patch->scales.size() * channels,
+    parts.texels[n] = {.looks = looks_of_patch + texel * patch->scales.size() * texel_halves,
                        .weight = is_another ? stored[n].data() : parts.texels[n - 1].weight,
                        .part = part};
     ++parts.count;

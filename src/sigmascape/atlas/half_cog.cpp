@@ -6,14 +6,13 @@
 #include <string>
 #include <tiffio.h>
 
+#include "sigmascape/atlas/half_texture.h"
 #include "sigmascape/atlas/patch_grid.h"
 #include "sigmascape/base/error.h"
-#include "sigmascape/radar/channels.h"
 
 namespace sigmascape::atlas {
 namespace {
 
-constexpr std::size_t texel_halves = radar::Channels::count;
 constexpr std::size_t tile_halves = tile_side * tile_side * texel_halves;
 
 struct CloseTiff {

@@ -3,13 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <tuple>
 
 namespace sigmascape::atlas {
 namespace {
 
-constexpr std::size_t bands = std::tuple_size_v<BandNames>;
-static_assert(radar::Channels::count == bands);
+static_assert(radar::Channels::count == texel_halves);
 
 /// `rounded_texel` gives the four halves of a texel of so many bits; `bits_of` tells how many, by its level and number.
 template <typename Texel, typename RoundedTexel, typename BitsOf>
@@ -18,17 +16,17 @@ HalfTexture rounded(const std::vector<Array2D<Texel>>& chain, double scale, Bits
   HalfTexture texture{chain.front().columns(), scale, {}};
   for (std::size_t level = 0; level < chain.size(); ++level) {
     std::vector<Half>& halves = texture.levels.emplace_back();
-    halves.reserve(chain[level].size() * bands);
+    halves.reserve(chain[level].size() * texel_halves);
     for (std::size_t i = 0; i < chain[level].size(); ++i) {
-      const std::array<Half, bands> texel = rounded_texel(chain[level].values()[i], bits_of(level, i));
+      const std::array<Half, texel_halves> texel = rounded_texel(chain[level].values()[i], bits_of(level, i));
       halves.insert(halves.end(), texel.begin(), texel.end());
     }
   }
   return texture;
 }
 
-std::array<Half, bands> nearest_halves(const std::array<float, bands>& values, int mantissa_bits) {
-  std::array<Half, bands> halves{};
+std::array<Half, texel_halves> nearest_halves(const std::array<float, texel_halves>& values, int mantissa_bits) {
+  std::array<Half, texel_halves> halves{};
   std::ranges::transform(values, halves.begin(),
                          [mantissa_bits](float value) { return half_from_float(value, mantissa_bits); });
   return halves;
@@ -63,7 +61,8 @@ std::vector<Array2D<Texel>> widened(const HalfTexture& texture, TexelFrom texel_
   for (std::size_t level = 0; level < texture.levels.size(); ++level) {
     const std::size_t side = texture.side >> level;
     Array2D<Texel>& texels = chain.emplace_back(side, side);
-    for (std::size_t i = 0; i < texels.size(); ++i) texels.values()[i] = texel_from(&texture.levels[level][i * bands]);
+    for (std::size_t i = 0; i < texels.size(); ++i)
+      texels.values()[i] = texel_from(&texture.levels[level][i * texel_halves]);
   }
   return chain;
 }

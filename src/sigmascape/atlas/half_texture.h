@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <string_view>
+#include <tuple>
 #include <vector>
 
 #include "sigmascape/atlas/half.h"
@@ -20,6 +21,8 @@ struct HalfTexture {
 
 /// What the four bands of a texture hold.
 using BandNames = std::array<std::string_view, 4>;
+/// Of a texel: one a band.
+inline constexpr std::size_t texel_halves = std::tuple_size_v<BandNames>;
 inline constexpr BandNames sigma0_bands{"VV", "HH", "HV", "RE_VVHH"};
 inline constexpr BandNames obstacle_bands{"SOLID_TOP_M", "CROWN_BASE_M", "CROWN_TOP_M", "CROWN_EXTINCTION_PER_M"};
 

@@ -1,7 +1,6 @@
 #include "sigmascape/atlas/obstacle_tiles.h"
 
 #include <algorithm>
-#include <tuple>
 #include <vector>
 
 #include "sigmascape/atlas/half_cog.h"
@@ -12,8 +11,6 @@
 
 namespace sigmascape::atlas {
 namespace {
-
-constexpr std::size_t obstacle_halves = std::tuple_size_v<BandNames>;
 
 /// The items of a place and, where there is none, those below it.
 float tallest_under(const Store& atlas, const PyramidTiles& places, const PyramidTile& tile) {
@@ -52,11 +49,11 @@ bool ObstacleTiles::read(const TileAddress& tile, std::span<radar::Obstacle> obs
   }
   const std::filesystem::path file = obstacles_path(place.file);
   if (!files_.record_of(file)) return false;
-  std::vector<Half> halves(tile_texels * obstacle_halves);
+  std::vector<Half> halves(tile_texels * texel_halves);
   const bool decodes = read_half_tile(store_.folder() / file, place.level, place.index, halves);
   files_.tell(file, place.level, decodes);
   if (!decodes) return false;
-  for (std::size_t i = 0; i < obstacles.size(); ++i) obstacles[i] = obstacle_from(&halves[i * obstacle_halves]);
+  for (std::size_t i = 0; i < obstacles.size(); ++i) obstacles[i] = obstacle_from(&halves[i * texel_halves]);
   return true;
 }
 

@@ -18,12 +18,9 @@
 #include "sigmascape/base/interruption.h"
 #include "sigmascape/base/machine_memory.h"
 #include "sigmascape/base/parallel.h"
-#include "sigmascape/radar/channels.h"
 
 namespace sigmascape::atlas {
 namespace {
-
-constexpr std::size_t halves_a_look = radar::Channels::count;
 
 /// Of all tables: held as long as one is looked through or filled, never while files are read.
 std::mutex looking_and_filling;
@@ -66,8 +63,8 @@ void add_levels_down_to_one(HalfTexture& texture) {
 
 /// Puts one look of a level among the others.
 void place(const std::vector<Half>& texels, std::vector<Half>& level, std::size_t look, std::size_t looks) {
-  for (std::size_t texel = 0; texel < texels.size() / halves_a_look; ++texel)
-    std::copy_n(&texels[texel * halves_a_look], halves_a_look, &level[(texel * looks + look) * halves_a_look]);
+  for (std::size_t texel = 0; texel < texels.size() / texel_halves; ++texel)
+    std::copy_n(&texels[texel * texel_halves], texel_halves, &level[(texel * looks + look) * texel_halves]);
 }
 
 }  // namespace
@@ -90,7 +87,7 @@ PatchTable::PatchTable(Store store, std::vector<LookIndex> looks, std::size_t fi
 
 std::size_t PatchTable::halves_of(std::size_t level) const {
   const std::size_t side = store_.description().patches.texels_per_side >> level;
-  return side * side * looks_.size() * halves_a_look;
+  return side * side * looks_.size() * texel_halves;
 }
 
 /// Those of the table that are wanted and whose levels from `first`, counted from the finest that is held, are not
