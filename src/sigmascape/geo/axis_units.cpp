@@ -26,8 +26,7 @@ double turn_of_projection(const OGRSpatialReference& projected) {
   const std::unique_ptr<OGRSpatialReference> unprojected(projected.CloneGeogCS());
   if (!unprojected) return 0.0;
   unprojected->SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
-  const std::unique_ptr<OGRCoordinateTransformation> projection(
-      OGRCreateCoordinateTransformation(unprojected.get(), &projected));
+  const ReferenceWay projection = way_between(*unprojected, projected);
   if (!projection) return 0.0;
   const double degree = radians_from_deg(1.0) / unprojected->GetAngularUnits();
   const auto x_at = [&](double degrees_east, double latitude_deg) {

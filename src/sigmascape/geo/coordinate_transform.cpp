@@ -49,7 +49,7 @@ void require_known_reference(const std::string& crs, const std::string& where) {
 }
 
 struct CoordinateTransform::Ways {
-  std::unique_ptr<OGRCoordinateTransformation> to_frame, to_crs;
+  ReferenceWay to_frame, to_crs;
 };
 
 CoordinateTransform::CoordinateTransform(const std::string& crs, const LocalFrame& frame, const std::string& where)
@@ -57,8 +57,7 @@ CoordinateTransform::CoordinateTransform(const std::string& crs, const LocalFram
   const QuietGdal quiet;
   const OGRSpatialReference outside = horizontal_reference(crs, where);
   const OGRSpatialReference inside = horizontal_reference(frame.proj(), where);
-  ways_->to_frame.reset(OGRCreateCoordinateTransformation(&outside, &inside));
-  ways_->to_crs.reset(OGRCreateCoordinateTransformation(&inside, &outside));
+  *ways_ = {.to_frame = way_between(outside, inside), .to_crs = way_between(inside, outside)};
   if (!ways_->to_frame || !ways_->to_crs) {
     throw Error(where, fmt::format("no transformation is known from '{}' to the scene's frame", crs.substr(0, 60)),
                 "bring the data into a common reference such as WGS 84 (EPSG:4326) first");
@@ -85,7 +84,7 @@ Vec2d position_in_frame(const LocalFrame& frame, GeographicPosition place) {
 GeographicPosition place_on_globe(const std::string& crs, Vec2d position, const std::string& where) {
   const QuietGdal quiet;
   const OGRSpatialReference own = horizontal_reference(crs, where), globe = horizontal_reference("EPSG:4326", where);
-  const std::unique_ptr<OGRCoordinateTransformation> way(OGRCreateCoordinateTransformation(&own, &globe));
+  const ReferenceWay way = way_between(own, globe);
   if (!way || way->Transform(1, &position.x, &position.y) == 0) {
     throw Error(where, "its centre has no place on the globe",
                 "check its georeference and coordinate reference system");

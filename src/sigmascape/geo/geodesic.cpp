@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <fmt/format.h>
-#include <memory>
 #include <ogr_spatialref.h>
 
 #include "sigmascape/base/error.h"
@@ -19,7 +18,7 @@ Geodesic geodesic_between(GeographicPosition from, GeographicPosition to) {
                                                                "+units=m +no_defs",
                                                                from.latitude_deg, from.longitude_deg),
                                                    "position");
-  const std::unique_ptr<OGRCoordinateTransformation> way(OGRCreateCoordinateTransformation(&globe, &about));
+  const ReferenceWay way = way_between(globe, about);
   double x = to.longitude_deg, y = to.latitude_deg;
   if (!way || way->Transform(1, &x, &y) == 0) {
     throw Error("position",

@@ -1,7 +1,6 @@
 #include "sigmascape/geo/raster_placement.h"
 
 #include <fmt/format.h>
-#include <memory>
 #include <ogr_spatialref.h>
 
 #include "sigmascape/base/error.h"
@@ -18,9 +17,8 @@ std::array<Vec2d, 4> geographic_corners(const RasterPlacement& placement, std::s
   std::array<double, 4> y{south_m, south_m, placement.north_m, placement.north_m};
   const OGRSpatialReference local = reference_from(placement.crs, "CRS");
   const OGRSpatialReference geographic = reference_from("OGC:CRS84", "CRS");
-  const std::unique_ptr<OGRCoordinateTransformation> transformation(
-      OGRCreateCoordinateTransformation(&local, &geographic));
-  if (!transformation || transformation->Transform(4, x.data(), y.data()) == FALSE) {
+  const ReferenceWay way = way_between(local, geographic);
+  if (!way || way->Transform(4, x.data(), y.data()) == FALSE) {
     throw Error("raster",
                 fmt::format("reaches from {:.6g} to {:.6g} east and {:.6g} to {:.6g} north, which is beyond what its "
                             "CRS \"{}\" has longitudes and latitudes for",

@@ -47,4 +47,8 @@ std::string wkt2_from(const OGRSpatialReference& reference) {
   return wkt;
 }
 
+ReferenceWay way_between(const OGRSpatialReference& from, const OGRSpatialReference& to) {
+  return ReferenceWay(OGRCreateCoordinateTransformation(&from, &to));
+}
+
 }  // namespace sigmascape::geo

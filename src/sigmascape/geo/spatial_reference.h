@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <ogr_spatialref.h>
 #include <optional>
 #include <string>
@@ -15,5 +16,15 @@ namespace sigmascape::geo {
 
 /// As WKT2 (ISO 19162:2019), on one line. Throws Error when it cannot be said so.
 [[nodiscard]] std::string wkt2_from(const OGRSpatialReference& reference);
+
+struct BackToGdal {
+  void operator()(OGRCoordinateTransformation* way) const { OGRCoordinateTransformation::DestroyCT(way); }
+};
+/// What carries positions from one CRS into another. To find it PROJ looks through all datums that it knows, which takes
+/// far longer than to go: GDAL keeps what is given back to it for whoever next asks for the same.
+using ReferenceWay = std::unique_ptr<OGRCoordinateTransformation, BackToGdal>;
+
+/// nullptr where there is none.
+[[nodiscard]] ReferenceWay way_between(const OGRSpatialReference& from, const OGRSpatialReference& to);
 
 }  // namespace sigmascape::geo
