@@ -8,12 +8,13 @@
 #include <gtest/gtest.h>
 #include <iterator>
 #include <limits>
+#include <memory>
 #include <string>
 #include <thread>
-#include <unistd.h>
 #include <vector>
 
 #include "example_texels.h"
+#include "scratch_folder.h"
 #include "sealed_item.h"
 
 #include "sigmascape/atlas/half.h"
@@ -41,23 +42,29 @@ std::string message_of(const std::function<void()>& action) {
 
 class StoreTest : public testing::Test {
  protected:
-  void SetUp() override {
-    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = std::filesystem::path(testing::TempDir()) /
-              (std::string("sigmascape_store_") + test->name() + "_" + std::to_string(::getpid()));
-    std::filesystem::remove_all(folder_);
+  static void SetUpTestSuite() {
+    written_ = std::make_unique<ScratchFolder>();
+    static_cast<void>(written(written_->path("atlas")));
   }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
+  static void TearDownTestSuite() { written_.reset(); }
 
-  [[nodiscard]] Store filled(const std::filesystem::path& folder) const {
+  static Store written(const std::filesystem::path& folder) {
     Store store = Store::create(folder, example_description());
     for (const Unit& unit : store.units()) {
       store.write(unit.patch, unit.look, example_texels(512, unit.look), {7, 64, "avx2", {{"rays_lost", 3}}});
     }
     return store;
   }
+  /// A copy of one that was written for the whole suite.
+  static Store filled(const std::filesystem::path& folder) {
+    std::filesystem::create_directories(folder);
+    std::filesystem::copy(written_->path("atlas"), folder, std::filesystem::copy_options::recursive);
+    return Store::open(folder);
+  }
 
-  std::filesystem::path folder_;
+  inline static std::unique_ptr<ScratchFolder> written_;
+  ScratchFolder scratch_;
+  std::filesystem::path folder_ = scratch_.path("atlas");
 };
 
 TEST_F(StoreTest, NamesAreForPeople) {
@@ -322,8 +329,8 @@ TEST_F(StoreTest, TheFileIsAValidCloudOptimisedGeoTiffWithOurOverviews) {
 }
 
 TEST_F(StoreTest, EqualBakesGiveEqualBytes) {
-  const Store one = filled(folder_ / "one");
-  const Store two = filled(folder_ / "two");
+  const Store one = written(folder_ / "one");
+  const Store two = written(folder_ / "two");
   std::size_t files = 0;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(folder_ / "one")) {
     if (!entry.is_regular_file()) continue;

@@ -5,8 +5,8 @@
 #include <fstream>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <memory>
 #include <string>
-#include <unistd.h>
 #include <vector>
 
 #include "example_texels.h"
@@ -31,32 +31,31 @@ namespace fs = std::filesystem;
 /// An atlas of two patches that keeps its ground apart, whole.
 class VerifyTest : public testing::Test {
  protected:
-  void SetUp() override {
-    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = fs::path(testing::TempDir()) / fmt::format("sigmascape_verify_{}_{}", test->name(), ::getpid());
-    fs::remove_all(folder_);
+  static void SetUpTestSuite() {
+    written_ = std::make_unique<ScratchFolder>();
     AtlasDescription description = example_description();
     description.settings[shadows_setting] = shadows_at_run_time;
-    const Store atlas = Store::create(folder_, description);
+    const Store atlas = Store::create(written_->path("atlas"), description);
     fill(atlas);
     fill(create_ground_store(atlas, {0.1, 0.5}));
     for (const PatchIndex& patch : description.patches.covering(description.extent)) {
       const radar::GroundGrid texels = description.patches.texels_of(patch);
       write_obstacles(atlas, patch, {texels, Array2D<radar::Obstacle>(texels.columns, texels.rows)});
     }
-    write_heights(description.frame);
+    write_heights(atlas.folder(), description.frame);
     vouch_for_terrain(atlas);
   }
-  void TearDown() override { fs::remove_all(folder_); }
+  static void TearDownTestSuite() { written_.reset(); }
+  VerifyTest() { fs::copy(written_->path("atlas"), folder_, fs::copy_options::recursive); }
 
   /// So many and so different that a byte in the middle of the file is of one of them.
-  void write_heights(const geo::LocalFrame& frame) const {
+  static void write_heights(const fs::path& atlas, const geo::LocalFrame& frame) {
     Array2D<float> heights(100, 100);
     for (std::size_t i = 0; i < heights.size(); ++i) heights.values()[i] = static_cast<float>(i * i % 997);
-    geo::write_geotiff(folder_ / terrain_name, {.placement = {-500.0, 500.0, 10.0, frame.proj()},
-                                                .bands = {{"HEIGHT_M", heights}},
-                                                .nodata = {},
-                                                .metadata = {}});
+    geo::write_geotiff(atlas / terrain_name, {.placement = {-500.0, 500.0, 10.0, frame.proj()},
+                                              .bands = {{"HEIGHT_M", heights}},
+                                              .nodata = {},
+                                              .metadata = {}});
   }
 
   static void fill(const Store& store) {
@@ -82,7 +81,9 @@ class VerifyTest : public testing::Test {
     stream.put(static_cast<char>(byte ^ 1));
   }
 
-  fs::path folder_;
+  inline static std::unique_ptr<ScratchFolder> written_;  ///< for each test to copy
+  ScratchFolder scratch_;
+  fs::path folder_ = scratch_.path("atlas");
 };
 
 TEST_F(VerifyTest, WholeAtlasHasNoFault) {

@@ -8,6 +8,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <map>
+#include <memory>
 #include <thread>
 
 #include "scratch_folder.h"
@@ -198,10 +199,18 @@ TEST(TerrainWindow, SlopesOfHillsChangeEvenlyBetweenNodes) {
 
 class PyramidOnDisk : public ::testing::Test {
  protected:
-  PyramidOnDisk() { build_pyramid(folder_.path("pyramid"), field_, {43.0, -3.0}); }
+  static void SetUpTestSuite() {
+    built_ = std::make_unique<ScratchFolder>();
+    build_pyramid(built_->path("pyramid"), rough(), {43.0, -3.0});
+  }
+  static void TearDownTestSuite() { built_.reset(); }
+  PyramidOnDisk() {
+    std::filesystem::copy(built_->path("pyramid"), folder_.path("pyramid"), std::filesystem::copy_options::recursive);
+  }
 
   [[nodiscard]] std::filesystem::path tile(const std::string& name) const { return folder_.path("pyramid") / name; }
 
+  inline static std::unique_ptr<ScratchFolder> built_;  ///< for each test to copy
   ScratchFolder folder_;
   HeightField field_ = rough();
   radar::Rectangle area_{-1000.0, -1400.0, 4400.0, 2000.0};
