@@ -20,8 +20,8 @@ namespace sigmascape::geo {
 struct BackToGdal {
   void operator()(OGRCoordinateTransformation* way) const { OGRCoordinateTransformation::DestroyCT(way); }
 };
-/// What carries positions from one CRS into another. To find it PROJ looks through all datums that it knows, which takes
-/// far longer than to go: GDAL keeps what is given back to it for whoever next asks for the same.
+/// What carries positions from one CRS into another. To find it PROJ looks through all datums that it knows, which
+/// takes far longer than to go: GDAL keeps what is given back to it for whoever next asks for the same.
 using ReferenceWay = std::unique_ptr<OGRCoordinateTransformation, BackToGdal>;
 
 /// nullptr where there is none.

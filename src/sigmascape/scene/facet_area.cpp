@@ -56,6 +56,8 @@ std::vector<float> facet_areas_m2(const Mesh& mesh, const std::vector<Vec3f>& ve
   // Meshes that are to be seen from both sides hold each triangle twice: it is one face of one area.
   std::unordered_map<std::uint64_t, std::uint32_t> first_between;
   std::unordered_multimap<std::uint64_t, std::uint32_t> at_edge;
+  first_between.reserve(count);
+  at_edge.reserve(std::size_t{3} * count);
   for (std::uint32_t t = 0; t < count; ++t) {
     std::array<std::uint64_t, 3> corner{};
     for (std::size_t i = 0; i < 3; ++i) corner[i] = place_of(vertices[mesh.triangles[t][i]]);

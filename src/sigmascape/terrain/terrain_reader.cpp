@@ -141,14 +141,21 @@ std::size_t fill_holes(Array2D<float>& heights) {
 }
 
 void smooth_within(Array2D<float>& heights, double tolerance_m) {
+  // A node waits for the one before it in its row. Sweeps that go together, each a row behind the one before, come to
+  // the same as one after another, and the processor has other nodes to work on meanwhile.
+  constexpr std::size_t together = 4, times = 25;
   const Array2D<float> original = heights;
   const auto tolerance = static_cast<float>(tolerance_m);
-  for (int sweep = 0; sweep < 100; ++sweep) {
-    for (std::size_t row = 0; row < heights.rows(); ++row) {
+  for (std::size_t time = 0; time < times; ++time) {
+    for (std::size_t first_row = 0; first_row < heights.rows() + together - 1; ++first_row) {
       Interruption::heed();
       for (std::size_t column = 0; column < heights.columns(); ++column) {
-        const float from = original(column, row);
-        relax(heights, {column, row}, [&](float h) { return std::clamp(h, from - tolerance, from + tolerance); });
+        for (std::size_t sweep = 0; sweep < std::min(together, first_row + 1); ++sweep) {
+          const std::size_t row = first_row - sweep;
+          if (row >= heights.rows()) continue;
+          const float from = original(column, row);
+          relax(heights, {column, row}, [&](float h) { return std::clamp(h, from - tolerance, from + tolerance); });
+        }
       }
     }
   }
