@@ -18,9 +18,6 @@
 #include "words.h"
 
 #include "sigmascape/atlas/atlas_summary.h"
-#include "sigmascape/atlas/building_file.h"
-#include "sigmascape/atlas/building_textures.h"
-#include "sigmascape/atlas/ground_layers.h"
 #include "sigmascape/atlas/layer_store.h"
 #include "sigmascape/atlas/levels_above.h"
 #include "sigmascape/atlas/store.h"
@@ -148,29 +145,23 @@ nlohmann::ordered_json json_of(const atlas::AtlasSummary::Files& files) {
   return {{"files", files.planned}, {"files_done", files.done}};
 }
 
-/// Of a layer in a store of its own. How many files it has nobody knows without its collection.
-nlohmann::ordered_json json_of(const atlas::AtlasSummary::Files& files,
-                               const std::optional<atlas::StoreFault>& of_collection) {
-  nlohmann::ordered_json json = json_of(files);
-  if (of_collection) json["files"] = nullptr;
-  json["faults"] = json_of(in_list(of_collection));
+/// How many files a layer has nobody knows without its collection.
+nlohmann::ordered_json json_of(const atlas::AtlasSummary::Layer& layer) {
+  nlohmann::ordered_json json = json_of(layer.textures);
+  if (layer.fault) json["files"] = nullptr;
+  json["faults"] = json_of(in_list(layer.fault));
   return json;
 }
 
-/// Null where buildings are not kept apart; so are textures of theirs where there are to be none.
-nlohmann::ordered_json buildings_of(const atlas::Store& atlas, const atlas::AtlasSummary& summary) {
-  if (!atlas::keeps_buildings_apart(atlas.description())) return nullptr;
-  nlohmann::ordered_json buildings = {{"faults", json_of(in_list(summary.buildings_fault))}};
-  buildings["textures"] = nullptr;
-  if (!atlas::keeps_building_textures(atlas.description())) return buildings;
-  buildings["textures"] = json_of(summary.building_textures, summary.building_textures_fault);
-  return buildings;
+nlohmann::ordered_json json_of(const atlas::AtlasSummary::Buildings& buildings) {
+  return {{"faults", json_of(in_list(buildings.fault))},
+          {"textures", buildings.textures ? json_of(*buildings.textures) : nullptr}};
 }
 
-/// Null where the ground is not kept apart.
-nlohmann::ordered_json ground_of(const atlas::Store& atlas, const atlas::AtlasSummary& summary) {
-  if (!atlas::keeps_ground_apart(atlas)) return nullptr;
-  return json_of(summary.ground, summary.ground_fault);
+/// Null of what this atlas is not to have.
+template <typename Part>
+nlohmann::ordered_json json_of(const std::optional<Part>& part) {
+  return part ? json_of(*part) : nullptr;
 }
 
 nlohmann::ordered_json summary_of(const atlas::Store& store, const atlas::AtlasSummary& summary) {
@@ -190,9 +181,9 @@ nlohmann::ordered_json summary_of(const atlas::Store& store, const atlas::AtlasS
            {{"levels", summary.pyramid_levels},
             {"textures", summary.pyramid.planned},
             {"textures_done", summary.pyramid.done}}},
-          {"obstacles", atlas::keeps_ground_apart(store) ? json_of(summary.obstacles) : nullptr},
-          {"ground", ground_of(store, summary)},
-          {"buildings", buildings_of(store, summary)},
+          {"obstacles", json_of(summary.obstacles)},
+          {"ground", json_of(summary.ground)},
+          {"buildings", json_of(summary.buildings)},
           {"terrain", {{"faults", json_of(terrain_faults(store, summary))}}},
           {"bytes", summary.bytes},
           {"bytes_per_look", summary.bytes_per_look},
@@ -235,6 +226,10 @@ std::string faults_text(const std::vector<atlas::StoreFault>& faults) {
                      faults.size() == 1 ? "" : fmt::format(", and {} more like it", faults.size() - 1));
 }
 
+std::string layer_text(const atlas::AtlasSummary::Layer& layer) {
+  return layer.fault ? faults_text({*layer.fault}) : files_text(layer.textures);
+}
+
 std::string text_of(const atlas::Store& store, const atlas::AtlasSummary& summary) {
   const atlas::AtlasDescription& atlas = store.description();
   std::string text = fmt::format("{}\n", atlas.name);
@@ -255,16 +250,12 @@ std::string text_of(const atlas::Store& store, const atlas::AtlasSummary& summar
   line("looks above", fmt::format("{} of {} in {} above the patches", summary.pyramid.done,
                                   counted(summary.pyramid.planned, "file", "files"),
                                   counted(summary.pyramid_levels, "level", "levels")));
-  if (atlas::keeps_ground_apart(store)) {
-    line("obstacles", files_text(summary.obstacles));
-    line("ground", summary.ground_fault ? faults_text({*summary.ground_fault}) : files_text(summary.ground));
+  if (summary.obstacles) line("obstacles", files_text(*summary.obstacles));
+  if (summary.ground) line("ground", layer_text(*summary.ground));
+  if (const auto& buildings = summary.buildings) {
+    if (buildings->textures) line("buildings' looks", layer_text(*buildings->textures));
+    line("buildings", buildings->fault ? faults_text({*buildings->fault}) : "all there");
   }
-  if (atlas::keeps_building_textures(atlas)) {
-    line("buildings' looks", summary.building_textures_fault ? faults_text({*summary.building_textures_fault})
-                                                             : files_text(summary.building_textures));
-  }
-  if (atlas::keeps_buildings_apart(atlas))
-    line("buildings", summary.buildings_fault ? faults_text({*summary.buildings_fault}) : "all there");
   const std::vector<atlas::StoreFault> of_terrain = terrain_faults(store, summary);
   line("terrain", of_terrain.empty() ? "all there" : faults_text(of_terrain));
   line("size",

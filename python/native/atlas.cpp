@@ -14,8 +14,6 @@
 #include "text_with_file_names.h"
 
 #include "sigmascape/atlas/atlas_summary.h"
-#include "sigmascape/atlas/building_file.h"
-#include "sigmascape/atlas/building_textures.h"
 #include "sigmascape/atlas/ground_layers.h"
 #include "sigmascape/base/error.h"
 #include "sigmascape/base/units.h"
@@ -125,30 +123,28 @@ py::list list_of(const std::optional<atlas::StoreFault>& fault) {
   return faults;
 }
 
-py::dict files_of(const atlas::AtlasSummary::Files& files) {
+py::dict dict_of(const atlas::AtlasSummary::Files& files) {
   return py::dict(py::arg("files") = files.planned, py::arg("files_done") = files.done);
 }
 
-/// Of a layer in a store of its own. How many files it has nobody knows without its collection.
-py::dict files_of(const atlas::AtlasSummary::Files& files, const std::optional<atlas::StoreFault>& of_collection) {
-  py::dict layer = files_of(files);
-  if (of_collection) layer["files"] = py::none();
-  layer["faults"] = list_of(of_collection);
-  return layer;
+/// How many files a layer has nobody knows without its collection.
+py::dict dict_of(const atlas::AtlasSummary::Layer& layer) {
+  py::dict told = dict_of(layer.textures);
+  if (layer.fault) told["files"] = py::none();
+  told["faults"] = list_of(layer.fault);
+  return told;
 }
 
-/// What is kept beside the textures of looks: None of each kind that this atlas is not to have.
-void add_layers(py::dict& info, const atlas::Store& store, const atlas::AtlasSummary& summary) {
-  for (const char* layer : {"obstacles", "ground", "buildings"}) info[layer] = py::none();
-  if (atlas::keeps_ground_apart(store)) {
-    info["obstacles"] = files_of(summary.obstacles);
-    info["ground"] = files_of(summary.ground, summary.ground_fault);
-  }
-  if (!atlas::keeps_buildings_apart(store.description())) return;
-  py::dict buildings(py::arg("faults") = list_of(summary.buildings_fault), py::arg("textures") = py::none());
-  if (atlas::keeps_building_textures(store.description()))
-    buildings["textures"] = files_of(summary.building_textures, summary.building_textures_fault);
-  info["buildings"] = buildings;
+py::dict dict_of(const atlas::AtlasSummary::Buildings& buildings) {
+  py::dict told(py::arg("faults") = list_of(buildings.fault), py::arg("textures") = py::none());
+  if (buildings.textures) told["textures"] = dict_of(*buildings.textures);
+  return told;
+}
+
+/// None of what this atlas is not to have.
+template <typename Part>
+py::object dict_of(const std::optional<Part>& part) {
+  return part ? py::object(dict_of(*part)) : py::none();
 }
 
 py::dict info_of(const LoadedAtlas& loaded) {
@@ -164,7 +160,9 @@ py::dict info_of(const LoadedAtlas& loaded) {
   info["looks_done"] = summary.looks_done;
   info["pyramid"] = py::dict(py::arg("levels") = summary.pyramid_levels, py::arg("textures") = summary.pyramid.planned,
                              py::arg("textures_done") = summary.pyramid.done);
-  add_layers(info, loaded.store(), summary);
+  info["obstacles"] = dict_of(summary.obstacles);
+  info["ground"] = dict_of(summary.ground);
+  info["buildings"] = dict_of(summary.buildings);
   info["bytes"] = summary.bytes;
   info["relative_standard_error"] = summary.errors.relative();
   info["above_target"] = summary.errors.part_above_target();

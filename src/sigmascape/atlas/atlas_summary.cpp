@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <system_error>
+#include <utility>
 
 #include "sigmascape/atlas/building_file.h"
 #include "sigmascape/atlas/building_textures.h"
@@ -62,15 +63,27 @@ AtlasSummary::Files obstacles_of(const Store& atlas) {
   return files;
 }
 
-/// Of a layer of an atlas.
-AtlasSummary::Files all_textures_of(const Store& layer) {
+/// Of a layer of an atlas that `open` opens, unless its collection has a fault.
+template <typename Open>
+AtlasSummary::Layer layer_of(const Store& atlas, std::optional<StoreFault> fault, const Open& open) {
+  if (fault) return {.textures = {}, .fault = std::move(fault)};
+  const Store layer = open(atlas);
   const PatchBlock patches = layer.description().patches.block_over(layer.description().extent);
   const std::size_t looks = layer.description().aspects.look_count();
   AtlasSummary::Files textures = textures_above(layer);
   for (std::size_t number = 0; number < patches.size(); ++number) {
     for (LookIndex look = 0; look < looks; ++look) count(layer.is_done(patches[number], look), textures);
   }
-  return textures;
+  return {.textures = textures, .fault = std::nullopt};
+}
+
+/// Nothing of an atlas that does not keep them apart.
+std::optional<AtlasSummary::Buildings> buildings_of(const Store& atlas) {
+  if (!keeps_buildings_apart(atlas.description())) return std::nullopt;
+  AtlasSummary::Buildings buildings{.fault = buildings_fault(atlas, Scrutiny::Size), .textures = {}};
+  if (keeps_building_textures(atlas.description()))
+    buildings.textures = layer_of(atlas, building_textures_fault(atlas), open_building_textures);
+  return buildings;
 }
 
 }  // namespace
@@ -102,15 +115,11 @@ AtlasSummary summary_of(const Store& store) {
   summary.pyramid_levels = Pyramid(store).levels();
   summary.pyramid = textures_above(store);
   if (!is_layer_of_an_atlas(store.description())) summary.terrain_fault = terrain_fault(store, Scrutiny::Size);
-  if (keeps_buildings_apart(store.description())) summary.buildings_fault = buildings_fault(store, Scrutiny::Size);
-  if (keeps_building_textures(store.description())) {
-    summary.building_textures_fault = building_textures_fault(store);
-    if (!summary.building_textures_fault) summary.building_textures = all_textures_of(open_building_textures(store));
+  summary.buildings = buildings_of(store);
+  if (keeps_ground_apart(store)) {
+    summary.obstacles = obstacles_of(store);
+    summary.ground = layer_of(store, ground_collection_fault(store), open_ground_store);
   }
-  if (!keeps_ground_apart(store)) return summary;
-  summary.obstacles = obstacles_of(store);
-  summary.ground_fault = ground_collection_fault(store);
-  if (!summary.ground_fault) summary.ground = all_textures_of(open_ground_store(store));
   return summary;
 }
 

@@ -44,9 +44,9 @@ TEST(AtlasSummary, CountsEachKindOfFilesByItself) {
   const LevelsAbove::Written written = make_levels_above(atlas).written;
   AtlasSummary summary = summary_of(atlas);
   expect_files(summary.pyramid, written.looks, 1);
-  expect_files(summary.obstacles, 4 + written.obstacles, 4 + 1);
-  expect_files(summary.ground, 2 * 4 + written.ground, 2 * (4 + 1));
-  EXPECT_FALSE(summary.ground_fault || summary.terrain_fault);
+  expect_files(summary.obstacles.value(), 4 + written.obstacles, 4 + 1);
+  expect_files(summary.ground.value().textures, 2 * 4 + written.ground, 2 * (4 + 1));
+  EXPECT_FALSE(summary.ground->fault || summary.terrain_fault);
   EXPECT_FALSE(summary_of(open_ground_store(atlas)).terrain_fault) << "it has none of its own";
 
   std::filesystem::remove(atlas.folder() / obstacles_path({0, {0, 0}}));
@@ -55,17 +55,17 @@ TEST(AtlasSummary, CountsEachKindOfFilesByItself) {
   summary = summary_of(atlas);
   EXPECT_EQ(summary.looks_done, 4U);
   expect_files(summary.pyramid, 1, 1);
-  expect_files(summary.obstacles, 4, 4 + 1);
+  expect_files(summary.obstacles.value(), 4, 4 + 1);
   // What was made from files whose items are gone is out of date.
-  expect_files(summary.ground, 2 * 3, 2 * (4 + 1));
+  expect_files(summary.ground.value().textures, 2 * 3, 2 * (4 + 1));
   ASSERT_TRUE(summary.terrain_fault);
   EXPECT_EQ(summary.terrain_fault->file, terrain_name);
 
   std::filesystem::remove_all(ground_folder_of(atlas));
   summary = summary_of(atlas);
-  expect_files(summary.ground, 0, 0);
-  ASSERT_TRUE(summary.ground_fault);
-  EXPECT_EQ(summary.ground_fault->file, "ground/collection.json");
+  expect_files(summary.ground.value().textures, 0, 0);
+  ASSERT_TRUE(summary.ground->fault);
+  EXPECT_EQ(summary.ground->fault->file, "ground/collection.json");
 }
 
 TEST(AtlasSummary, OfAnAtlasThatHoldsEverythingNoGroundIsPlanned) {
@@ -74,9 +74,7 @@ TEST(AtlasSummary, OfAnAtlasThatHoldsEverythingNoGroundIsPlanned) {
   description.settings.clear();
   const AtlasSummary summary = summary_of(Store::create(folder.path("a"), description));
   expect_files(summary.pyramid, 0, 1);
-  expect_files(summary.obstacles, 0, 0);
-  expect_files(summary.ground, 0, 0);
-  EXPECT_FALSE(summary.ground_fault);
+  EXPECT_FALSE(summary.obstacles || summary.ground || summary.buildings);
 }
 
 // Items of earlier programs do not tell.

@@ -196,22 +196,26 @@ TEST(BuildingsApartFromTextures, NeedNoMoreRays) {
   EXPECT_NEAR(*apart.errors.part_of_all(), *with.errors.part_of_all(), 1e-3);
 }
 
+atlas::AtlasSummary::Layer textures_told_of(const atlas::Store& store) {
+  return atlas::summary_of(store).buildings.value().textures.value();
+}
+
 TEST_F(BuildingTextures, AreCountedAndTheirLevelsMadeAnew) {
   const ScratchFolder folder;
   const atlas::Store store = copy_of_both(folder);
-  const atlas::AtlasSummary::Files all = atlas::summary_of(store).building_textures;
+  const atlas::AtlasSummary::Files all = textures_told_of(store).textures;
   EXPECT_EQ(all.planned, (9U + 4U + 1U) * 2U) << "nine patches, and the tiles of two levels above them";
   EXPECT_EQ(all.done, all.planned);
   for (const char* level : {"pyramid_1", "pyramid_2"})
     std::filesystem::remove_all(store.folder() / "buildings" / level);
-  EXPECT_EQ(atlas::summary_of(store).building_textures.done, 9U * 2U);
+  EXPECT_EQ(textures_told_of(store).textures.done, 9U * 2U);
   const atlas::LevelsAbove made = atlas::make_levels_above(store);
   EXPECT_EQ(made.written.buildings, (4U + 1U) * 2U);
   EXPECT_EQ(made.written.all(), made.written.buildings);
   EXPECT_EQ(difference_of(files_of(both().folder()), files_of(store.folder())), "");
 
   std::filesystem::remove(store.folder() / "buildings" / "collection.json");
-  ASSERT_TRUE(atlas::summary_of(store).building_textures_fault);
+  ASSERT_TRUE(textures_told_of(store).fault);
   EXPECT_EQ(atlas::verify(store).front().file, "buildings/collection.json");
 }
 
