@@ -1,10 +1,10 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fmt/format.h>
-#include <fstream>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "bytes_of.h"
 #include "validation/validation_record.h"
 
 namespace sigmascape::end_to_end {
@@ -17,11 +17,6 @@ int run_program(const std::string& arguments, const fs::path& output) {
   const int status =
       std::system(fmt::format("'{}' {} > '{}' 2>&1", SIGMASCAPE_CLI, arguments, output.string()).c_str());
   return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-}
-
-std::string text_of(const fs::path& file) {
-  std::ifstream stream(file);
-  return {std::istreambuf_iterator<char>(stream), {}};
 }
 
 /// The demo on a small scene, run once.
@@ -43,14 +38,14 @@ class Demo : public ::testing::Test {
 };
 
 TEST_F(Demo, MapsBothWaysAndSaysHowCloseTheyCome) {
-  ASSERT_EQ(code_, 0) << text_of(folder_ / "printed.txt");
+  ASSERT_EQ(code_, 0) << bytes_of(folder_ / "printed.txt");
   for (const char* name : {"paper_view_traced.png", "paper_view_baked.png", "baked_view_traced.tif",
                            "baked_view_baked.tif", "index.html", "comparison.json", "atlas/collection.json"}) {
     EXPECT_TRUE(fs::exists(folder_ / "demo" / name)) << name;
   }
-  EXPECT_NE(text_of(folder_ / "printed.txt").find("index.html"), std::string::npos) << "the page is not named";
+  EXPECT_NE(bytes_of(folder_ / "printed.txt").find("index.html"), std::string::npos) << "the page is not named";
 
-  const auto json = nlohmann::json::parse(text_of(folder_ / "demo/comparison.json"));
+  const auto json = nlohmann::json::parse(bytes_of(folder_ / "demo/comparison.json"));
   const auto& view = json.at("views").at(1);
   ASSERT_EQ(view.at("view"), "baked_view");
   const auto row_at = [&](const char* list, double cell_m) {
@@ -75,7 +70,7 @@ TEST(Program, ExitCodesTellWrongUseFromFailure) {
   EXPECT_EQ(run_program("bake --no-such-option", printed), 2);
   EXPECT_EQ(run_program("", printed), 2);
   EXPECT_EQ(run_program("scene info /no/such/scene.toml", printed), 1);
-  EXPECT_NE(text_of(printed).find("/no/such/scene.toml"), std::string::npos) << text_of(printed);
+  EXPECT_NE(bytes_of(printed).find("/no/such/scene.toml"), std::string::npos) << bytes_of(printed);
   fs::remove(printed);
 }
 
@@ -83,7 +78,7 @@ TEST(Program, EverySubcommandHasHelpWithExamples) {
   const fs::path printed = fs::temp_directory_path() / fmt::format("sigmascape_help_{}.txt", getpid());
   for (const char* command : {"scene info", "bake", "render", "compare", "demo"}) {
     EXPECT_EQ(run_program(fmt::format("{} --help", command), printed), 0);
-    EXPECT_NE(text_of(printed).find("Example"), std::string::npos) << command;
+    EXPECT_NE(bytes_of(printed).find("Example"), std::string::npos) << command;
   }
   fs::remove(printed);
 }

@@ -10,15 +10,12 @@
 #include <string>
 #include <vector>
 
+#include "bytes_of.h"
+
 namespace sigmascape::end_to_end {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string text_of(const fs::path& file) {
-  std::ifstream stream(file);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
 
 /// A measurement of the smallest scene with hardly any rays, made twice into the same folder, the second time with all
 /// but one of the first one's views taken over.
@@ -26,15 +23,15 @@ class Results : public ::testing::Test {
  protected:
   static void SetUpTestSuite() {
     fs::create_directories(folder_);
-    ASSERT_EQ(run("first.md"), 0) << text_of(folder_ / "printed.txt");
-    first_ = nlohmann::json::parse(text_of(folder_ / "out/results.json"));
+    ASSERT_EQ(run("first.md"), 0) << bytes_of(folder_ / "printed.txt");
+    first_ = nlohmann::json::parse(bytes_of(folder_ / "out/results.json"));
     for (const auto& file : fs::recursive_directory_iterator(folder_ / "out")) {
       if (file.path().extension() == ".tif") written_[file.path()] = file.last_write_time();
     }
     keep_all_but_the_last_view();
     ASSERT_EQ(run("second.md", fmt::format("--measured '{}'", (folder_ / "some.json").string())), 0)
-        << text_of(folder_ / "printed.txt");
-    second_ = nlohmann::json::parse(text_of(folder_ / "out/results.json"));
+        << bytes_of(folder_ / "printed.txt");
+    second_ = nlohmann::json::parse(bytes_of(folder_ / "out/results.json"));
   }
   static void TearDownTestSuite() { fs::remove_all(folder_); }
 
@@ -50,7 +47,7 @@ class Results : public ::testing::Test {
 
   /// As if a run elsewhere had been broken off.
   static void keep_all_but_the_last_view() {
-    nlohmann::json measured = nlohmann::json::parse(text_of(folder_ / "measured.json"));
+    nlohmann::json measured = nlohmann::json::parse(bytes_of(folder_ / "measured.json"));
     measured.at("views").erase(measured.at("views").size() - 1);
     std::ofstream(folder_ / "some.json") << measured;
     fs::remove(folder_ / "out/measured.json");
@@ -76,7 +73,7 @@ std::map<std::string, std::vector<double>> times_of_frames(const nlohmann::json&
 
 TEST_F(Results, AreNumbersPageAndPictures) {
   for (const char* name : {"results.json", "index.html"}) EXPECT_TRUE(fs::exists(folder_ / "out" / name)) << name;
-  const std::string page = text_of(folder_ / "first.md");
+  const std::string page = bytes_of(folder_ / "first.md");
   EXPECT_EQ(page.find(folder_.string()), std::string::npos) << "the page names a folder";
   for (const char* part :
        {"```\nsigmascape results --small --scale 0.1 --held-out 2 --on-grid 1 --repeated 3 --samples 2 "
@@ -231,7 +228,7 @@ TEST_F(Results, HaveAWorstNoBetterThanTheMedian) {
 TEST_F(Results, SayTheSameASecondTimeFromWhatIsThere) {
   // View by view: times of frames are those of the first run where it was taken over.
   const auto first = times_of_frames(first_), second = times_of_frames(second_);
-  const auto some = nlohmann::json::parse(text_of(folder_ / "some.json")).at("views");
+  const auto some = nlohmann::json::parse(bytes_of(folder_ / "some.json")).at("views");
   ASSERT_EQ(some.size(), 4U) << "of two held-out views, one baked one on hills and on level ground, and the paper's";
   for (const auto& view : some) {
     const auto place = place_of(view);

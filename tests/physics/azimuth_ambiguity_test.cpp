@@ -16,16 +16,15 @@
 namespace sigmascape {
 namespace {
 
-constexpr std::string_view group = "Azimuth ambiguities";
-constexpr double wavelength = 0.03, speed_mps = 100.0, range_m = 10e3, resolution_m = 1.0;
-const Vec3d point{range_m, 0.0, 0.0};
+constexpr std::string_view ambiguity_group = "Azimuth ambiguities";
+constexpr double x_band_m = 0.03, speed_mps = 100.0, middle_range_m = 10e3, thin_resolution_m = 1.0;
 
 /// Flies north and looks east, with a uniform aperture of two degrees and far too few pulses: the first ambiguity is in
 /// the first side lobe.
 radar::Radar thin_radar() {
   radar::Radar radar;
-  radar.frequency_hz = speed_of_light_mps / wavelength;
-  radar.range_resolution_m = resolution_m;
+  radar.frequency_hz = speed_of_light_mps / x_band_m;
+  radar.range_resolution_m = thin_resolution_m;
   radar.beam_width_rad = radians_from_deg(2.0);
   radar.antenna.azimuth = radar::ApertureBeam{{.shape = radar::WindowShape::Rectangular}};
   radar.waveform.window = {.shape = radar::WindowShape::Rectangular};
@@ -35,7 +34,7 @@ radar::Radar thin_radar() {
   return radar;
 }
 
-const double processed_hz = 0.8859 * speed_mps / resolution_m;  // of the even window
+const double processed_hz = 0.8859 * speed_mps / thin_resolution_m;  // of the even window
 
 /// Energy and middle of what a patch of an image holds.
 struct Patch {
@@ -52,7 +51,7 @@ Patch from_pulses(const radar::PhaseHistory& history, const TextbookStrip& proce
                   double half_along_m, double half_across_m) {
   constexpr double step_m = 0.6;
   Patch patch;
-  for (double r = range_m - half_across_m; r <= range_m + half_across_m; r += step_m) {
+  for (double r = middle_range_m - half_across_m; r <= middle_range_m + half_across_m; r += step_m) {
     for (double s = middle_m - half_along_m; s <= middle_m + half_along_m; s += step_m)
       patch.add(std::norm(processor.focused(history, s, r)), s, r);
   }
@@ -76,15 +75,15 @@ Patch from_image(const radar::StripmapImage& image, double middle_m, double half
 TEST(AzimuthAmbiguity, is_where_and_what_a_processor_makes_of_thin_pulses) {
   const auto radar = thin_radar();
   const radar::AntennaCut beam = radar::antenna_pattern(radar).azimuth();
-  const TextbookStrip processor{wavelength, speed_mps, processed_hz, beam};
+  const TextbookStrip processor{x_band_m, speed_mps, processed_hz, beam};
   radar::Target target;
-  target.track = radar::Track::straight(point);
+  target.track = radar::Track::straight({middle_range_m, 0.0, 0.0});
   target.rcs_m2 = radar::Channels{1.0F, 1.0F, 0.0F, 1.0F};
   const std::vector<radar::Target> targets{target};
   // A ghost lies λ r f_p/2V = 450 m off; the pulses that show it are sent from there.
-  const double shift_m = wavelength * range_m * 300.0 / (2.0 * speed_mps);
+  const double shift_m = x_band_m * middle_range_m * 300.0 / (2.0 * speed_mps);
   const auto pulses_about = [&](double along_m) {
-    const receiver::PulseReceiver receiver(radar, {range_m - 40.0, range_m + 60.0, 8.0});
+    const receiver::PulseReceiver receiver(radar, {middle_range_m - 40.0, middle_range_m + 60.0, 8.0});
     const auto voltage = [&beam](const radar::Pulse& pulse, Vec3d position, double) {
       const Vec3d away = position - pulse.platform.position;
       return static_cast<float>(beam.power(std::atan2(away.y, away.x)));
@@ -93,10 +92,12 @@ TEST(AzimuthAmbiguity, is_where_and_what_a_processor_makes_of_thin_pulses) {
                             {.first_time_s = along_m / speed_mps - 1.2, .count = 721, .repetition_hz = 300.0}, {},
                             targets, voltage);
   };
-  receiver::StripmapImager alone(
-      radar, {{}, radar.velocity_mps},
-      {.first_along_m = -600.0, .last_along_m = 600.0, .resolution_m = resolution_m, .window = radar.waveform.window},
-      {range_m - 60.0, range_m + 60.0, 1.5});
+  receiver::StripmapImager alone(radar, {{}, radar.velocity_mps},
+                                 {.first_along_m = -600.0,
+                                  .last_along_m = 600.0,
+                                  .resolution_m = thin_resolution_m,
+                                  .window = radar.waveform.window},
+                                 {middle_range_m - 60.0, middle_range_m + 60.0, 1.5});
   // Side lobes of the point itself are as strong as its ghosts: they are looked at apart.
   receiver::StripmapImager ghosts = alone;
   alone.add(targets);
@@ -111,14 +112,14 @@ TEST(AzimuthAmbiguity, is_where_and_what_a_processor_makes_of_thin_pulses) {
     const Patch of_pulses = from_pulses(pulses_about(there_m), processor, there_m, 40.0, 20.0);
     const Patch of_image = from_image(image, there_m, 60.0);
     const std::string name = side < 0 ? ", behind" : ", ahead";
-    validation::expect_close({group, "energy of the first ghost over the point's" + name,
+    validation::expect_close({ambiguity_group, "energy of the first ghost over the point's" + name,
                               db_from_linear(of_pulses.energy / main_pulses.energy),
                               db_from_linear(of_image.energy / main_image.energy), 0.5, "dB",
                               "back-projected pulses, pattern undone"});
-    validation::expect_close({group, "place of the first ghost" + name, of_pulses.along_m, of_image.along_m, 1.5, "m",
-                              "back-projected pulses"});
-    validation::expect_close({group, "closest range of the first ghost" + name, of_pulses.across_m, of_image.across_m,
-                              1.0, "m", "back-projected pulses"});
+    validation::expect_close({ambiguity_group, "place of the first ghost" + name, of_pulses.along_m, of_image.along_m,
+                              1.5, "m", "back-projected pulses"});
+    validation::expect_close({ambiguity_group, "closest range of the first ghost" + name, of_pulses.across_m,
+                              of_image.across_m, 1.0, "m", "back-projected pulses"});
     EXPECT_NEAR(of_pulses.along_m, there_m, 10.0);
     // And there is none half way.
     EXPECT_LT(from_image(image, 0.5 * there_m, 60.0).energy, 0.05 * of_image.energy);
@@ -173,11 +174,11 @@ TEST(AzimuthAmbiguity, of_even_ground_is_the_integral_of_the_pattern) {
   constexpr double along_resolution_m = 4.0, depression = 0.3;
   const double cosine = std::cos(depression);
   auto radar = thin_radar();
-  radar.position = {0.0, 0.0, range_m * std::sin(depression)};
+  radar.position = {0.0, 0.0, middle_range_m * std::sin(depression)};
   const terrain::HeightField terrain{
       .west_m = 9000.0, .north_m = 6000.0, .spacing_m = 100.0, .height_m = Array2D<float>(11, 121, 0.0F)};
   const render::Reflectivity even = [](Vec2d, const radar::Aspect&) { return radar::Channels{0.1F, 0.1F, 0.0F, 0.0F}; };
-  const double ground_m = range_m * cosine;
+  const double ground_m = middle_range_m * cosine;
   // A strip so long that ghosts of the first orders fall into its middle third from both sides.
   const auto scatterers = render::ground_scatterers(
       terrain, even, radar::ScattererLattice({.seed = 5, .cell_m = 2.0}),
@@ -188,7 +189,7 @@ TEST(AzimuthAmbiguity, of_even_ground_is_the_integral_of_the_pattern) {
                                      .last_along_m = 100.0,
                                      .resolution_m = along_resolution_m,
                                      .window = radar.waveform.window},
-                                    {range_m - 20.0, range_m + 20.0, 1.5});
+                                    {middle_range_m - 20.0, middle_range_m + 20.0, 1.5});
     if (!ghosts) imager.add(scatterers);
     for (const auto& ambiguity : imager.ambiguities()) {
       if (ghosts && std::abs(ambiguity.order) <= 2) imager.add(scatterers, 0, ambiguity.order);
@@ -200,7 +201,7 @@ TEST(AzimuthAmbiguity, of_even_ground_is_the_integral_of_the_pattern) {
   };
   const radar::AntennaCut beam = radar::antenna_pattern(radar).azimuth();
   const double band_hz = 0.8859 * speed_mps / along_resolution_m;
-  const auto angle = [&](double hz) { return std::asin(wavelength * hz / (2.0 * speed_mps * cosine)); };
+  const auto angle = [&](double hz) { return std::asin(x_band_m * hz / (2.0 * speed_mps * cosine)); };
   double ratio = 0.0;
   constexpr int parts = 200;
   for (const int order : {-2, -1, 1, 2}) {
@@ -209,14 +210,14 @@ TEST(AzimuthAmbiguity, of_even_ground_is_the_integral_of_the_pattern) {
       ratio += std::pow(beam.power(angle(f + order * 300.0)) / beam.power(angle(f)), 2.0) / parts;
     }
   }
-  validation::expect_close({group, "ghosts over ground, even ground", db_from_linear(ratio),
+  validation::expect_close({ambiguity_group, "ghosts over ground, even ground", db_from_linear(ratio),
                             db_from_linear(power_of(true) / power_of(false)), 0.5, "dB", "∫ g⁴(f + k f_p)/g⁴(f) df"});
 }
 
 /// The map of a mode shows ghosts of what lies beside it, unless they are refused.
 TEST(AzimuthAmbiguity, falls_into_maps_from_beside_them) {
   auto radar = thin_radar();
-  radar.position = {-range_m * std::cos(0.3), 0.0, range_m * std::sin(0.3)};
+  radar.position = {-middle_range_m * std::cos(0.3), 0.0, middle_range_m * std::sin(0.3)};
   const terrain::HeightField terrain{
       .west_m = -300.0, .north_m = 1000.0, .spacing_m = 100.0, .height_m = Array2D<float>(7, 21, 0.0F)};
   // Bright ground from 400 m north on, and none in the map, which ends 300 m before it.
@@ -240,9 +241,9 @@ TEST(AzimuthAmbiguity, falls_into_maps_from_beside_them) {
 /// ground nearer to the track than the map has its ghosts in it, with the energy that a map of both shows there.
 TEST(AzimuthAmbiguity, falls_into_maps_from_before_their_near_edge) {
   auto radar = thin_radar();
-  radar.position = {-range_m * std::cos(0.3), 0.0, range_m * std::sin(0.3)};
-  const double folded_m = wavelength * range_m * radar.waveform.pulse_repetition_hz / (2.0 * speed_mps);
-  const double outwards_m = 0.5 * folded_m * folded_m / range_m / std::cos(0.3);
+  radar.position = {-middle_range_m * std::cos(0.3), 0.0, middle_range_m * std::sin(0.3)};
+  const double folded_m = x_band_m * middle_range_m * radar.waveform.pulse_repetition_hz / (2.0 * speed_mps);
+  const double outwards_m = 0.5 * folded_m * folded_m / middle_range_m / std::cos(0.3);
   const terrain::HeightField terrain{
       .west_m = -300.0, .north_m = 1000.0, .spacing_m = 100.0, .height_m = Array2D<float>(7, 21, 0.0F)};
   const double middle_m = -50.0 - 0.4 * outwards_m;
@@ -272,17 +273,17 @@ TEST(AzimuthAmbiguity, falls_into_maps_from_before_their_near_edge) {
 TEST(AzimuthAmbiguity, goes_by_the_height_above_the_ground) {
   auto radar = thin_radar();
   const auto ghosts_over = [&](double ground_m) {
-    radar.position = {0.0, 0.0, ground_m + 0.3 * range_m};
+    radar.position = {0.0, 0.0, ground_m + 0.3 * middle_range_m};
     return receiver::StripmapImager(radar, {radar.position, radar.velocity_mps},
                                     {.first_along_m = -100.0,
                                      .last_along_m = 100.0,
                                      .resolution_m = 4.0,
                                      .window = radar.waveform.window,
                                      .ground_m = ground_m},
-                                    {range_m - 20.0, range_m + 20.0, 1.5})
+                                    {middle_range_m - 20.0, middle_range_m + 20.0, 1.5})
         .ambiguities();
   };
-  const auto low = ghosts_over(0.0), high = ghosts_over(0.9 * range_m);
+  const auto low = ghosts_over(0.0), high = ghosts_over(0.9 * middle_range_m);
   ASSERT_FALSE(low.empty());
   ASSERT_EQ(high.size(), low.size());
   for (std::size_t i = 0; i < low.size(); ++i) EXPECT_NEAR(high[i].power, low[i].power, 1e-9 * low[i].power);

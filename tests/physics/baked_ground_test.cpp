@@ -14,8 +14,6 @@
 namespace sigmascape::physics_test {
 namespace {
 
-constexpr double gamma = 0.03;
-
 /// Mean σ0_VV of the middle 200 m of a map.
 double mean_vv(const radar::RangeAzimuthImage& image, const scene::Scene& scene) {
   const auto map = product::ground_map(image, scene.terrain, {-100, 100, 4.0, 50, 50});
@@ -26,7 +24,7 @@ double mean_vv(const radar::RangeAzimuthImage& image, const scene::Scene& scene)
 
 /// The same in decibels over γ sin ψ.
 double error_db(const radar::RangeAzimuthImage& image, const scene::Scene& scene, double elevation_deg) {
-  return db_from_linear(mean_vv(image, scene) / (gamma * std::sin(radians_from_deg(elevation_deg))));
+  return db_from_linear(mean_vv(image, scene) / (ground_gamma * std::sin(radians_from_deg(elevation_deg))));
 }
 
 /// One that sees the middle of the scene in cells of 4 m.
@@ -40,9 +38,7 @@ radar::Radar radar_seeing(double azimuth_deg, double elevation_deg) {
 
 // The whole way twice: traced live, and baked, stored, loaded and rendered.
 TEST(BakedGround, BothWaysReturnGammaTimesSine) {
-  const scatter::Material ground{
-      .name = "gamma", .model = scatter::ConstantGammaParameters{gamma, {0.1, 0.5}}, .source = {}};
-  const scene::Scene scene = level_scene(ground, 512.0);
+  const scene::Scene scene = level_scene(gamma_ground(), 512.0);
   bake::BakeSettings settings;
   settings.aspects.azimuths_rad = {0.0, radians_from_deg(120.0), radians_from_deg(240.0)};
   settings.aspects.elevations_rad = atlas::paper_aspect_grid().elevations_rad;

@@ -14,7 +14,7 @@
 namespace sigmascape::render {
 namespace {
 
-constexpr double gamma = 0.05;
+constexpr double hills_gamma = 0.05;
 constexpr std::size_t left_out = 1;  // bins at every edge, which share with what lies outside
 
 /// Hills of about 25 m, some 400 m apart along one diagonal and 200 m along the other.
@@ -28,7 +28,7 @@ ExampleGround bare_hills() {
   example.azimuths = 1;
   example.ground_elevations_deg = {0.5, 88.0};
   example.sigma0 = [](const radar::Look&) { return radar::Channels{}; };
-  example.bare_sigma0 = [](const radar::Look& look) { return constant_gamma(gamma, look); };
+  example.bare_sigma0 = [](const radar::Look& look) { return constant_gamma(hills_gamma, look); };
   example.height_m = hills_m;
   return example;
 }
@@ -95,7 +95,7 @@ class BareHills : public testing::Test {
         const double elevation = std::atan2(there.z, away_m);
         if (elevation > highest_rad) {
           if (is_over_ground && range_m >= near_m && range_m < far_m)
-            sum_m2 += gamma * range_m * range_m * std::cos(elevation) * (elevation - highest_rad) * line_rad;
+            sum_m2 += hills_gamma * range_m * range_m * std::cos(elevation) * (elevation - highest_rad) * line_rad;
           highest_rad = elevation;
         }
         is_over_ground = true;

@@ -16,7 +16,7 @@
 namespace sigmascape::physics_test {
 namespace {
 
-constexpr double elevation_deg = 10.0, height_m = 30.0, front_m = 6.0;
+constexpr double ridge_elevation_deg = 10.0, block_height_m = 30.0, front_m = 6.0;
 
 /// Ground that hardly answers, with a block in its middle whose lowest `hidden_m` a ridge to the south hides.
 scene::Scene block_behind_ridge(double hidden_m) {
@@ -26,7 +26,7 @@ scene::Scene block_behind_ridge(double hidden_m) {
   constexpr std::size_t nodes = 129;
   scene.terrain = {-256.0, 256.0, spacing_m, Array2D<float>(nodes, nodes)};
   // A parabola of this height, which the line of sight to the wall touches behind its crest.
-  const double tangent = std::tan(radians_from_deg(elevation_deg));
+  const double tangent = std::tan(radians_from_deg(ridge_elevation_deg));
   const double above_foot_m = hidden_m + (ridge_m - front_m) * tangent;
   const double height =
       0.5 * (above_foot_m + std::sqrt(above_foot_m * above_foot_m - std::pow(half_width_m * tangent, 2.0)));
@@ -36,15 +36,15 @@ scene::Scene block_behind_ridge(double hidden_m) {
       scene.terrain.height_m(column, row) = static_cast<float>(std::max(0.0, height * (1.0 - to_crest * to_crest)));
   }
   const scatter::Material wall{.name = "wall", .model = scatter::LambertParameters{0.5, {0.1, 0.5}}, .source = {}};
-  scene.prototypes.push_back(scene::box_mesh({20.0F, static_cast<float>(2.0 * front_m), static_cast<float>(height_m)},
-                                             scene.material_index(wall)));
+  scene.prototypes.push_back(scene::box_mesh(
+      {20.0F, static_cast<float>(2.0 * front_m), static_cast<float>(block_height_m)}, scene.material_index(wall)));
   scene.instances.push_back({.x_m = 0.0F, .y_m = 0.0F});
   return scene;
 }
 
 radar::Radar radar_seeing_the_middle() {
   radar::Radar radar;
-  radar.position = radar::position_seeing({}, pi, radians_from_deg(elevation_deg), 200e3);
+  radar.position = radar::position_seeing({}, pi, radians_from_deg(ridge_elevation_deg), 200e3);
   radar.frequency_hz = frequency_hz;
   radar.range_resolution_m = 2.0;
   radar.beam_width_rad = 2.0 * std::sqrt(2.0) / 200e3;
@@ -65,7 +65,7 @@ double rcs_beyond_m2(const radar::RangeAzimuthImage& image, double range_m) {
 /// Power beyond a range, rendered from a bake of the very look, over the same traced.
 double baked_over_traced(const scene::Scene& scene, std::uint32_t samples, int max_bounces, double beyond_range_m) {
   bake::BakeSettings settings;
-  settings.aspects = {{pi}, {radians_from_deg(elevation_deg)}, {frequency_hz}};
+  settings.aspects = {{pi}, {radians_from_deg(ridge_elevation_deg)}, {frequency_hz}};
   settings.patches = {2.0, 256};
   settings.sampling.samples_per_texel = samples;
   settings.max_bounces = max_bounces;
@@ -88,13 +88,14 @@ double baked_over_traced(const scene::Scene& scene, std::uint32_t samples, int m
 // The wall answers from texels before its foot, on which nothing stands and which the ridge hides.
 TEST(BehindARidge, AWallThatRisesAboveItKeepsItsPower) {
   for (const double hidden_m : {4.0, 10.0, 20.0}) {
-    validation::expect_close({.group = "Baked on its own ground",
-                              .name = fmt::format("block of {:g} m of which a ridge hides {:g} m", height_m, hidden_m),
-                              .expected = 0.0,
-                              .measured = db_from_linear(baked_over_traced(block_behind_ridge(hidden_m), 32, 1, 0.0)),
-                              .tolerance = 0.05,
-                              .unit = "dB over the same traced",
-                              .source = "the path tracer"});
+    validation::expect_close(
+        {.group = "Baked on its own ground",
+         .name = fmt::format("block of {:g} m of which a ridge hides {:g} m", block_height_m, hidden_m),
+         .expected = 0.0,
+         .measured = db_from_linear(baked_over_traced(block_behind_ridge(hidden_m), 32, 1, 0.0)),
+         .tolerance = 0.05,
+         .unit = "dB over the same traced",
+         .source = "the path tracer"});
   }
 }
 

@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "physics/baked_atlas.h"
 #include "physics/level_scene.h"
 #include "scratch_folder.h"
 #include "validation/validation_record.h"
@@ -28,11 +29,7 @@
 namespace sigmascape::physics_test {
 namespace {
 
-constexpr double albedo = 0.5, texel_m = 2.0;
-
-scatter::Material lambert(std::string name, double of_albedo) {
-  return {.name = std::move(name), .model = scatter::LambertParameters{of_albedo, {0.0, 1.0}}, .source = {}};
-}
+constexpr double house_albedo = 0.5, baked_texel_m = 2.0;
 
 /// A box about a place, its long sides turned clockwise from east.
 struct Box {
@@ -57,37 +54,30 @@ void put(scene::Scene& scene, const Box& box, const scatter::Material& wall, con
 bake::BakeSettings settings_of(bake::Buildings buildings, int bounces) {
   bake::BakeSettings settings;
   settings.aspects = {{0.0, pi}, {radians_from_deg(15.0)}, {frequency_hz}};
-  settings.patches = {texel_m, 256};
+  settings.patches = {baked_texel_m, 256};
   settings.sampling.samples_per_texel = 4;
   settings.max_bounces = bounces;
   settings.buildings = buildings;
   return settings;
 }
 
-atlas::Atlas baked(const scene::Scene& scene, const bake::BakeSettings& settings) {
-  const ScratchFolder folder;
-  SilentProgress silent;
-  bake::bake(scene, settings, folder.path("atlas"), silent);
-  return atlas::load_atlas(atlas::Store::open(folder.path("atlas")));
-}
-
 radar::Radar radar_at(double azimuth_deg, double elevation_deg) {
   radar::Radar radar;
   radar.position = radar::position_seeing({}, radians_from_deg(azimuth_deg), radians_from_deg(elevation_deg), 40e3);
-  radar.range_resolution_m = texel_m;
-  radar.beam_width_rad = texel_m * std::sqrt(2.0) / 40e3;
+  radar.range_resolution_m = baked_texel_m;
+  radar.beam_width_rad = baked_texel_m * std::sqrt(2.0) / 40e3;
   return radar;
 }
 
-constexpr radar::GroundGrid map_cells{-64.0, 64.0, texel_m, 64, 64};
+constexpr radar::GroundGrid map_cells{-64.0, 64.0, baked_texel_m, 64, 64};
 
-radar::GroundMap rendered(const scene::Scene& scene, const atlas::Atlas& atlas, const radar::Radar& radar) {
+radar::GroundMap rendered_map(const scene::Scene& scene, const atlas::Atlas& atlas, const radar::Radar& radar) {
   render::RenderCounts counts;
   return product::ground_map(simulate::baked_image(atlas, scene.terrain, radar, map_cells.extent(), {}, counts),
                              scene.terrain, map_cells);
 }
 
-radar::GroundMap traced(const scene::Scene& scene, const radar::Radar& radar, int bounces) {
+radar::GroundMap traced_map(const scene::Scene& scene, const radar::Radar& radar, int bounces) {
   const trace::SceneGeometry geometry(scene, trace::Footing::Terrain);
   trace::TraceCounts counts;
   return product::ground_map(
@@ -102,7 +92,7 @@ double power_m2(const radar::GroundMap& map, const radar::Rectangle& within = ma
   for (std::size_t row = 0; row < map.grid.rows; ++row) {
     for (std::size_t column = 0; column < map.grid.columns; ++column) {
       if (within.contains(map.grid.centre_of(column, row)))
-        sum += static_cast<double>(map.sigma0(column, row).vv) * texel_m * texel_m;
+        sum += static_cast<double>(map.sigma0(column, row).vv) * baked_texel_m * baked_texel_m;
     }
   }
   return sum;
@@ -110,7 +100,7 @@ double power_m2(const radar::GroundMap& map, const radar::Rectangle& within = ma
 
 /// Of one of Lambert's faces: 4π (ρ/π) cos² θ a square metre.
 double returned_m2(double area_m2, double cosine) {
-  return 4.0 * albedo * cosine * cosine * area_m2;
+  return 4.0 * house_albedo * cosine * cosine * area_m2;
 }
 
 void expect_decibels(const std::string& name, double expected_m2, double measured_m2, double tolerance_db) {
@@ -127,8 +117,8 @@ void expect_decibels(const std::string& name, double expected_m2, double measure
 TEST(BuildingsApart, ReturnWhatTheirWallsAndRoofsDo) {
   scene::Scene scene = level_scene(lambert("black", 0.0), 256.0);
   const Box box{{3.0, -5.0}, 30.0, 18.0, 12.0, radians_from_deg(20.0)};
-  put(scene, box, lambert("house", albedo), lambert("house", albedo));
-  const atlas::Atlas atlas = baked(scene, settings_of(bake::Buildings::Apart, 1));
+  put(scene, box, lambert("house", house_albedo), lambert("house", house_albedo));
+  const atlas::Atlas atlas = baked_atlas(scene, settings_of(bake::Buildings::Apart, 1));
   for (const auto& [azimuth_deg, elevation_deg] : {std::pair{180.0, 10.0}, {225.0, 20.0}, {317.0, 33.0}, {65.0, 6.0}}) {
     const double elevation_rad = radians_from_deg(elevation_deg);
     const double off_long_rad = radians_from_deg(azimuth_deg - 20.0);  // from the normal of a long side
@@ -136,7 +126,7 @@ TEST(BuildingsApart, ReturnWhatTheirWallsAndRoofsDo) {
     const double expected = returned_m2(box.length_m * box.height_m, along * std::cos(elevation_rad)) +
                             returned_m2(box.width_m * box.height_m, across * std::cos(elevation_rad)) +
                             returned_m2(box.length_m * box.width_m, std::sin(elevation_rad));
-    const radar::GroundMap map = rendered(scene, atlas, radar_at(azimuth_deg, elevation_deg));
+    const radar::GroundMap map = rendered_map(scene, atlas, radar_at(azimuth_deg, elevation_deg));
     expect_decibels(fmt::format("a box from {:g}° at {:g}°", azimuth_deg, elevation_deg), expected, power_m2(map),
                     0.02);
   }
@@ -145,9 +135,9 @@ TEST(BuildingsApart, ReturnWhatTheirWallsAndRoofsDo) {
 // Textures hold nothing of a black ground with houses whose echoes are direct.
 TEST(BuildingsApart, AreNotInTheTextures) {
   scene::Scene scene = level_scene(lambert("black", 0.0), 256.0);
-  put(scene, {{}, 30.0, 18.0, 12.0}, lambert("house", albedo), lambert("house", albedo));
-  const atlas::Atlas apart = baked(scene, settings_of(bake::Buildings::Apart, 1));
-  const atlas::Atlas with = baked(scene, settings_of(bake::Buildings::Baked, 1));
+  put(scene, {{}, 30.0, 18.0, 12.0}, lambert("house", house_albedo), lambert("house", house_albedo));
+  const atlas::Atlas apart = baked_atlas(scene, settings_of(bake::Buildings::Apart, 1));
+  const atlas::Atlas with = baked_atlas(scene, settings_of(bake::Buildings::Baked, 1));
   const radar::Aspect aspect{pi, radians_from_deg(10.0)};
   float most = 0.0F, most_with = 0.0F;
   for (double y = -40.0; y < 40.0; y += 1.0) {
@@ -165,10 +155,10 @@ TEST(BuildingsApart, AreNotInTheTextures) {
 TEST(BuildingsApart, LieOverTowardsTheRadar) {
   scene::Scene scene = level_scene(lambert("black", 0.0), 256.0);
   const Box box{{0.0, 10.0}, 40.0, 20.0, 20.0};
-  put(scene, box, lambert("wall", albedo), lambert("black", 0.0));
-  const atlas::Atlas atlas = baked(scene, settings_of(bake::Buildings::Apart, 1));
+  put(scene, box, lambert("wall", house_albedo), lambert("black", 0.0));
+  const atlas::Atlas atlas = baked_atlas(scene, settings_of(bake::Buildings::Apart, 1));
   for (const double elevation_deg : {15.0, 25.0, 35.0}) {
-    const radar::GroundMap map = rendered(scene, atlas, radar_at(180.0, elevation_deg));
+    const radar::GroundMap map = rendered_map(scene, atlas, radar_at(180.0, elevation_deg));
     double sum = 0.0, moment = 0.0;
     for (std::size_t row = 0; row < map.grid.rows; ++row) {
       const double y = map.grid.centre_of(0, row).y;
@@ -194,15 +184,15 @@ TEST(BuildingsApart, HideOneAnother) {
   for (const double elevation_deg : {6.0, 12.0, 17.0}) {
     scene::Scene scene = level_scene(lambert("black", 0.0), 256.0);
     put(scene, front, lambert("black", 0.0), lambert("black", 0.0));
-    put(scene, behind, lambert("wall", albedo), lambert("black", 0.0));
-    const atlas::Atlas atlas = baked(scene, settings_of(bake::Buildings::Apart, 1));
+    put(scene, behind, lambert("wall", house_albedo), lambert("black", 0.0));
+    const atlas::Atlas atlas = baked_atlas(scene, settings_of(bake::Buildings::Apart, 1));
     const double rise = std::tan(radians_from_deg(elevation_deg));
     // From the far edge of the front roof, y = −25, to the wall on y = 5.
     const double hidden_m = std::max(0.0, front.height_m - 30.0 * rise);
     const double expected =
         returned_m2(behind.length_m * (behind.height_m - hidden_m), std::cos(radians_from_deg(elevation_deg)));
     expect_decibels(fmt::format("a wall behind another at {:g}°", elevation_deg), expected,
-                    power_m2(rendered(scene, atlas, radar_at(180.0, elevation_deg))), 0.15);
+                    power_m2(rendered_map(scene, atlas, radar_at(180.0, elevation_deg))), 0.15);
   }
 }
 
@@ -212,7 +202,7 @@ double returned_m2(const atlas::Atlas& atlas, const scene::Scene& scene, const r
   double sum = 0.0;
   for (std::size_t row = 0; row < map_cells.rows; ++row) {
     for (std::size_t column = 0; column < map_cells.columns; ++column)
-      sum += static_cast<double>(layer->sigma0_at(map_cells.centre_of(column, row)).vv) * texel_m * texel_m;
+      sum += static_cast<double>(layer->sigma0_at(map_cells.centre_of(column, row)).vv) * baked_texel_m * baked_texel_m;
   }
   return sum;
 }
@@ -223,9 +213,9 @@ TEST(BuildingsApart, AreSeenByAStripAsItsBeamPasses) {
   constexpr double platform_m = 150.0, track_m = -200.0, height_m = 20.0, screen_m = 10.0;
   scene::Scene scene = level_scene(lambert("black", 0.0), 256.0);
   for (const double x : {-40.0, 40.0})
-    put(scene, {{x, 10.0}, 20.0, 20.0, height_m}, lambert("wall", albedo), lambert("black", 0.0));
+    put(scene, {{x, 10.0}, 20.0, 20.0, height_m}, lambert("wall", house_albedo), lambert("black", 0.0));
   put(scene, {{40.0, -15.0}, 20.0, 10.0, screen_m}, lambert("black", 0.0), lambert("black", 0.0));
-  const atlas::Atlas atlas = baked(scene, settings_of(bake::Buildings::Apart, 1));
+  const atlas::Atlas atlas = baked_atlas(scene, settings_of(bake::Buildings::Apart, 1));
   // The screen's far edge is on y = −10, the wall on y = 0.
   const double hidden_m = screen_m - 10.0 * (platform_m - screen_m) / (-10.0 - track_m);
   const auto of_wall_from = [&](double lowest_m) {
@@ -248,8 +238,8 @@ TEST(BuildingsApart, AreSeenByAStripAsItsBeamPasses) {
   constexpr std::uint64_t draws = 64;
   for (std::uint64_t seed = 0; seed < draws; ++seed) {
     for (const radar::Scatterer& scatterer :
-         render::ground_scatterers(scene.terrain, render::reflectivity_of(atlas, frequency_hz, texel_m),
-                                   radar::ScattererLattice({.seed = seed, .cell_m = texel_m}),
+         render::ground_scatterers(scene.terrain, render::reflectivity_of(atlas, frequency_hz, baked_texel_m),
+                                   radar::ScattererLattice({.seed = seed, .cell_m = baked_texel_m}),
                                    {.vantage = strip, .area = map_cells.extent()}))
       of_scatterers += static_cast<double>(std::norm(scatterer.amplitude_m.vv)) / draws;
   }
@@ -260,8 +250,8 @@ TEST(BuildingsApart, AreSeenByAStripAsItsBeamPasses) {
 TEST(BuildingsApart, StandUprightOnARoundEarth) {
   scene::Scene scene = level_scene(lambert("black", 0.0), 256.0);
   const Box box{{0.0, 0.0}, 40.0, 30.0, 10.0};
-  put(scene, box, lambert("black", 0.0), lambert("roof", albedo));
-  const atlas::Atlas atlas = baked(scene, settings_of(bake::Buildings::Apart, 1));
+  put(scene, box, lambert("black", 0.0), lambert("roof", house_albedo));
+  const atlas::Atlas atlas = baked_atlas(scene, settings_of(bake::Buildings::Apart, 1));
   const Vec3d radar{0.0, -150e3, 4000.0};
   for (const radar::CurvedEarth earth : {radar::CurvedEarth::flat(), radar::CurvedEarth{}}) {
     const double sine = earth.sin_grazing(radar.z, box.height_m, 150e3);
@@ -289,15 +279,15 @@ TEST(BuildingsApart, StandInSlopes) {
     const Box box{{3.0, 5.0}, 20.0, 14.0, 16.0};
     scene::append_building(
         scene.buildings, box.outline(), box.height_m, scene::footing_of(box.outline(), scene.terrain),
-        scene.material_index(lambert("wall", albedo)), scene.material_index(lambert("roof", albedo)));
-    const atlas::Atlas atlas = baked(scene, settings_of(bake::Buildings::Apart, 1));
+        scene.material_index(lambert("wall", house_albedo)), scene.material_index(lambert("roof", house_albedo)));
+    const atlas::Atlas atlas = baked_atlas(scene, settings_of(bake::Buildings::Apart, 1));
     for (const auto& [azimuth_deg, elevation_deg] : {std::pair{90.0, 35.0}, {180.0, 20.0}, {215.0, 45.0}}) {
       const radar::Radar radar = radar_at(azimuth_deg, elevation_deg);
       validation::expect_close(
           {.group = "Buildings apart",
            .name = fmt::format("a house on a slope of {:g} from {:g}° at {:g}°", rise, azimuth_deg, elevation_deg),
-           .expected = db_from_linear(power_m2(traced(scene, radar, 1))),
-           .measured = db_from_linear(power_m2(rendered(scene, atlas, radar))),
+           .expected = db_from_linear(power_m2(traced_map(scene, radar, 1))),
+           .measured = db_from_linear(power_m2(rendered_map(scene, atlas, radar))),
            .tolerance = 0.1,
            .unit = "dBm²",
            .source = "path-traced map"});
@@ -308,12 +298,12 @@ TEST(BuildingsApart, StandInSlopes) {
 // Of a hall that is larger than what is mapped, all faces' middles lie beside the map.
 TEST(BuildingsApart, AreSeenInPartOfThem) {
   scene::Scene scene = level_scene(lambert("black", 0.0), 256.0);
-  put(scene, {{0.0, 0.0}, 240.0, 240.0, 8.0}, lambert("wall", albedo), lambert("roof", albedo));
-  const atlas::Atlas atlas = baked(scene, settings_of(bake::Buildings::Apart, 1));
+  put(scene, {{0.0, 0.0}, 240.0, 240.0, 8.0}, lambert("wall", house_albedo), lambert("roof", house_albedo));
+  const atlas::Atlas atlas = baked_atlas(scene, settings_of(bake::Buildings::Apart, 1));
   const radar::Radar radar = radar_at(200.0, 25.0);
   const double sine = std::sin(radians_from_deg(25.0));
   for (const Vec2d middle : {Vec2d{0.0, 0.0}, {70.0, 60.0}, {-80.0, 20.0}}) {
-    const radar::GroundGrid part{middle.x - 10.0, middle.y + 10.0, texel_m, 10, 10};
+    const radar::GroundGrid part{middle.x - 10.0, middle.y + 10.0, baked_texel_m, 10, 10};
     render::RenderCounts counts;
     const radar::GroundMap map = product::ground_map(
         simulate::baked_image(atlas, scene.terrain, radar, radar::widened(part.extent(), 8.0), {}, counts),
@@ -327,11 +317,11 @@ TEST(BuildingsApart, AreSeenInPartOfThem) {
 // Squares of 8 m have what sixteen of 2 m have.
 TEST(BuildingsApart, KeepTheirPowerAtCoarserLevels) {
   scene::Scene scene = level_scene(lambert("black", 0.0), 256.0);
-  put(scene, {{3.0, -5.0}, 30.0, 18.0, 12.0, radians_from_deg(20.0)}, lambert("house", albedo),
-      lambert("house", albedo));
-  const atlas::Atlas atlas = baked(scene, settings_of(bake::Buildings::Apart, 1));
+  put(scene, {{3.0, -5.0}, 30.0, 18.0, 12.0, radians_from_deg(20.0)}, lambert("house", house_albedo),
+      lambert("house", house_albedo));
+  const atlas::Atlas atlas = baked_atlas(scene, settings_of(bake::Buildings::Apart, 1));
   const radar::Radar radar = radar_at(225.0, 20.0);
-  const double finest_m2 = power_m2(rendered(scene, atlas, radar));
+  const double finest_m2 = power_m2(rendered_map(scene, atlas, radar));
   render::RenderCounts counts;
   const radar::GroundMap coarse = product::ground_map(
       simulate::baked_image(atlas, scene.terrain, radar, map_cells.extent(), {.level_of_detail = 3}, counts),
@@ -342,7 +332,7 @@ TEST(BuildingsApart, KeepTheirPowerAtCoarserLevels) {
 // Frames would show a town without its houses.
 TEST(BuildingsApart, AreRefusedByLiveFrames) {
   scene::Scene scene = level_scene(lambert("black", 0.0), 256.0);
-  put(scene, {{}, 30.0, 18.0, 12.0}, lambert("house", albedo), lambert("house", albedo));
+  put(scene, {{}, 30.0, 18.0, 12.0}, lambert("house", house_albedo), lambert("house", house_albedo));
   const ScratchFolder folder;
   SilentProgress silent;
   bake::bake(scene, settings_of(bake::Buildings::Apart, 1), folder.path("atlas"), silent);
@@ -374,7 +364,7 @@ std::vector<float> frame_of(const scene::Scene& scene, bake::Buildings buildings
 // The textures of buildings and those of all else add up to what one texture of both has.
 TEST(BuildingsApart, AreInLiveFramesFromTexturesOfTheirOwn) {
   scene::Scene scene = level_scene(lambert("black", 0.0), 256.0);
-  put(scene, {{}, 30.0, 18.0, 12.0}, lambert("house", albedo), lambert("house", albedo));
+  put(scene, {{}, 30.0, 18.0, 12.0}, lambert("house", house_albedo), lambert("house", house_albedo));
   const std::vector<float> with = frame_of(scene, bake::Buildings::Baked),
                            both = frame_of(scene, bake::Buildings::Both);
   ASSERT_EQ(both.size(), with.size());
@@ -398,16 +388,16 @@ scene::Scene village() {
 // The whole of a village with what goes to and fro in it, from between the looks.
 TEST(BuildingsApart, MakeMapsNearerToTracedOnes) {
   const scene::Scene scene = village();
-  const atlas::Atlas apart = baked(scene, settings_of(bake::Buildings::Apart, 3));
-  const atlas::Atlas with = baked(scene, settings_of(bake::Buildings::Baked, 3));
+  const atlas::Atlas apart = baked_atlas(scene, settings_of(bake::Buildings::Apart, 3));
+  const atlas::Atlas with = baked_atlas(scene, settings_of(bake::Buildings::Baked, 3));
   double rms_apart = 0.0, rms_with = 0.0;
   for (const auto& [azimuth_deg, elevation_deg] : {std::pair{45.0, 15.0}, {120.0, 25.0}, {200.0, 10.0}}) {
     const radar::Radar radar = radar_at(azimuth_deg, elevation_deg);
-    const radar::GroundMap truth = traced(scene, radar, 3);
+    const radar::GroundMap truth = traced_map(scene, radar, 3);
     const auto at_8_m = [&](const radar::GroundMap& map) {
       return *product::compare_maps(map, truth, {.cells_m = {8.0}}).at_cell(8.0);
     };
-    const auto of_apart = at_8_m(rendered(scene, apart, radar)), of_with = at_8_m(rendered(scene, with, radar));
+    const auto of_apart = at_8_m(rendered_map(scene, apart, radar)), of_with = at_8_m(rendered_map(scene, with, radar));
     rms_apart += of_apart.rms_db / 3.0;
     rms_with += of_with.rms_db / 3.0;
     validation::expect_close({.group = "Buildings apart",

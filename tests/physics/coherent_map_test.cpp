@@ -11,14 +11,14 @@
 namespace sigmascape {
 namespace {
 
-constexpr std::string_view group = "Coherent maps";
+constexpr std::string_view coherent_map_group = "Coherent maps";
 
-struct Place {
+struct MapCell {
   std::size_t column = 0, row = 0;
 };
 
-Place brightest(const radar::GroundMap& map) {
-  Place best;
+MapCell brightest_cell(const radar::GroundMap& map) {
+  MapCell best;
   for (std::size_t row = 0; row < map.grid.rows; ++row) {
     for (std::size_t column = 0; column < map.grid.columns; ++column) {
       if (map.sigma0(column, row).vv > map.sigma0(best.column, best.row).vv) best = {column, row};
@@ -65,16 +65,16 @@ TEST(CoherentMap, shows_sigma0_and_targets_where_they_are) {
     const simulate::CoherentSettings settings{.interval_s = 0.4, .along_resolution_m = 2.0};
     const auto map =
         product::projected_to_ground(simulate::range_doppler_image(ground, radar, area, settings), terrain, grid);
-    validation::expect_close(
-        {group, "σ0 of even ground, range–Doppler" + at, 0.0, mean_db_over(map, sigma0), 0.2, "dB", "σ0 put in"});
+    validation::expect_close({coherent_map_group, "σ0 of even ground, range–Doppler" + at, 0.0,
+                              mean_db_over(map, sigma0), 0.2, "dB", "σ0 put in"});
     const auto strip =
         product::projected_to_ground(simulate::stripmap_image(ground, radar, area, settings), terrain, grid);
-    validation::expect_close(
-        {group, "σ0 of even ground, stripmap" + at, 0.0, mean_db_over(strip, sigma0), 0.2, "dB", "σ0 put in"});
+    validation::expect_close({coherent_map_group, "σ0 of even ground, stripmap" + at, 0.0, mean_db_over(strip, sigma0),
+                              0.2, "dB", "σ0 put in"});
     for (const auto& shown :
          {product::projected_to_ground(simulate::range_doppler_image(alone, radar, area, settings), terrain, grid),
           product::projected_to_ground(simulate::stripmap_image(alone, radar, area, settings), terrain, grid)}) {
-      const Place place = brightest(shown);
+      const MapCell place = brightest_cell(shown);
       const Vec2d centre = grid.centre_of(place.column, place.row);
       EXPECT_NEAR(centre.x, 40.5, 1.01);
       EXPECT_NEAR(centre.y, -30.5, 1.01);

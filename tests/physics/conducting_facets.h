@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "physics/directions.h"
+
 #include "sigmascape/base/units.h"
 #include "sigmascape/scatter/cook_torrance.h"
 
@@ -13,17 +15,9 @@ using scatter::Masking;
 using scatter::MicrofacetDistribution;
 using scatter::Microfacets;
 
-inline constexpr Vec3f up{0.0F, 0.0F, 1.0F};
-
 inline CookTorrance conducting(MicrofacetDistribution distribution, double alpha,
                                const CookTorranceOptions& options = {}) {
   return {{{1.0, 0.0, 1e13, 0.0}, alpha, distribution}, 10e9, options};
-}
-
-inline Vec3f direction(double incidence_rad, double azimuth_rad = 0.0) {
-  return Vec3d{std::sin(incidence_rad) * std::cos(azimuth_rad), std::sin(incidence_rad) * std::sin(azimuth_rad),
-               std::cos(incidence_rad)}
-      .to<float>();
 }
 
 /// σ0 = 4π b cos² θ.

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "physics/directions.h"
 #include "validation/validation_record.h"
 
 #include "sigmascape/base/error.h"
@@ -12,17 +13,10 @@
 namespace sigmascape::physics_test {
 namespace {
 
-constexpr Vec3f up{0.0F, 0.0F, 1.0F};
-
-Vec3f direction(double incidence_deg) {
-  const double theta = radians_from_deg(incidence_deg);
-  return Vec3d{std::sin(theta), 0.0, std::cos(theta)}.to<float>();
-}
-
 /// Power that leaves over power that arrives in vertical polarization, by the surface's own samples.
 double returned_power(const scatter::SurfaceModel& model, double incidence_deg) {
   constexpr std::uint32_t points = 1U << 16U;
-  const Vec3f to_source = direction(incidence_deg);
+  const Vec3f to_source = direction(radians_from_deg(incidence_deg));
   const scatter::PolarizationBasis basis(-to_source);
   double power = 0.0;
   for (std::uint32_t i = 0; i < points; ++i) {
@@ -63,7 +57,7 @@ TEST(ConstantGamma, DirectionalAlbedo) {
 TEST(ConstantGamma, UrbanIsBartonsExample) {
   const scatter::SurfaceModel urban(scatter::library_material("urban"), 10e9);
   const double psi = radians_from_deg(20.0);
-  const radar::Channels brdf = urban.backscatter(direction(70.0), up);
+  const radar::Channels brdf = urban.backscatter(direction(radians_from_deg(70.0)), up);
   validation::expect_close(
       {.group = "Constant gamma",
        .name = "urban, σ0 at 20° of grazing",

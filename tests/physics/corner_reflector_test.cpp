@@ -81,7 +81,7 @@ Vec3d turned_about_north(Vec3d a, double angle_rad) {
 }
 
 /// A dihedral whose edge lies across the line of sight (northward, level), turned about that line.
-std::vector<Mirror> dihedral(double turn_rad) {
+std::vector<Mirror> dihedral_mirrors(double turn_rad) {
   const double half = std::sqrt(0.5);
   return {{turned_about_north({0.0, -half, half}, turn_rad), conductor},
           {turned_about_north({0.0, -half, -half}, turn_rad), conductor}};
@@ -92,7 +92,7 @@ TEST(CornerReflectors, DihedralTurnedAboutTheLineOfSight) {
     const double twice = 2.0 * radians_from_deg(turn_deg);
     // Two reflections by a conductor keep the field along the edge e and reverse it across: S = 2 e eᵀ − 1. Looking
     // north h is west and v is down, so that the edge (cos ψ, 0, −sin ψ) has the components h = −cos ψ and v = sin ψ.
-    const ScatteringMatrix measured = round_trip({0.0, 1.0, 0.0}, dihedral(radians_from_deg(turn_deg)));
+    const ScatteringMatrix measured = round_trip({0.0, 1.0, 0.0}, dihedral_mirrors(radians_from_deg(turn_deg)));
     const double cross = -std::sin(twice);
     expect_matrix(fmt::format("dihedral turned by {}°", turn_deg), {-std::cos(twice), cross, cross, std::cos(twice)},
                   measured);

@@ -12,7 +12,7 @@
 namespace sigmascape {
 namespace {
 
-constexpr std::string_view group = "Images over the curved Earth";
+constexpr std::string_view curved_earth_group = "Images over the curved Earth";
 constexpr double distance_m = 60e3;
 
 /// So far north of the origin, level at 120 m above the sea.
@@ -20,7 +20,7 @@ terrain::HeightField far_ground() {
   return {
       .west_m = -500.0, .north_m = distance_m + 500.0, .spacing_m = 50.0, .height_m = Array2D<float>(21, 21, 120.0F)};
 }
-const radar::Rectangle area{-100.0, distance_m - 100.0, 100.0, distance_m + 100.0};
+const radar::Rectangle far_area{-100.0, distance_m - 100.0, 100.0, distance_m + 100.0};
 
 /// Over the origin, flying east, over an Earth of 4/3.
 radar::Radar high_radar(radar::Mode mode) {
@@ -71,19 +71,19 @@ TEST(CurvedImages, have_the_range_of_the_curved_earth_and_map_it_back) {
   };
   const auto of_amplitude = [](const radar::ComplexChannels& bin) { return static_cast<double>(std::norm(bin.vv)); };
   const auto radar = high_radar(radar::Mode::Spotlight);
-  const auto pulses = simulate::phase_history(scene, radar, area, {.interval_s = 0.004});
+  const auto pulses = simulate::phase_history(scene, radar, far_area, {.interval_s = 0.004});
   const std::size_t sample = brightest(pulses.samples, of_amplitude) % pulses.samples.columns();
-  validation::expect_close({group, "range of a target in pulses", expected_m,
+  validation::expect_close({curved_earth_group, "range of a target in pulses", expected_m,
                             pulses.first_range_m + static_cast<double>(sample) * pulses.range_step_m,
                             0.6 * pulses.range_step_m, "m", "4/3 Earth"});
   EXPECT_GT(expected_m - std::hypot(21.0, distance_m - 33.0, 5000.0 - 121.0), 15.0);
 
   const radar::GroundGrid grid{-80.0, distance_m + 80.0, 1.0, 160, 160};
   const simulate::CoherentSettings settings{.interval_s = 2.0, .along_resolution_m = 2.0};
-  const auto sharp = simulate::range_doppler_image(scene, radar, area, settings);
-  const auto strip = simulate::stripmap_image(scene, high_radar(radar::Mode::Stripmap), area, settings);
+  const auto sharp = simulate::range_doppler_image(scene, radar, far_area, settings);
+  const auto strip = simulate::stripmap_image(scene, high_radar(radar::Mode::Stripmap), far_area, settings);
   const std::size_t at = brightest(sharp.amplitude_m, of_amplitude) / sharp.amplitude_m.columns();
-  validation::expect_close({group, "range of a target in an image", expected_m,
+  validation::expect_close({curved_earth_group, "range of a target in an image", expected_m,
                             sharp.range_m.middle_of(static_cast<double>(at) + 0.5), sharp.range_m.step, "m",
                             "4/3 Earth"});
   for (const auto& map :
@@ -110,10 +110,10 @@ TEST(CurvedImages, see_ground_at_its_grazing_angle_as_far_as_the_horizon) {
   const auto seen_from = [&](double height_m) {
     return render::ground_scatterers(
         terrain, field, lattice,
-        {.vantage = radar::Vantage(Vec3d{0.0, 0.0, height_m}), .area = area, .threads = 1, .earth = earth});
+        {.vantage = radar::Vantage(Vec3d{0.0, 0.0, height_m}), .area = far_area, .threads = 1, .earth = earth});
   };
   EXPECT_GT(seen_from(5000.0).size(), 2000U);
-  validation::expect_close({group, "grazing angle 60 km off",
+  validation::expect_close({curved_earth_group, "grazing angle 60 km off",
                             deg_from_radians(std::asin(earth.sin_grazing(5000.0, 120.0, distance_m))),
                             deg_from_radians(elevations[0]), 0.01, "°", "4/3 Earth"});
   // The patch of terrain alone stands in the way, and what lies below its own horizontal is seen by nobody: at 60 km

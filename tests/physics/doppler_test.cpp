@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <vector>
 
+#include "physics/even_window.h"
 #include "validation/validation_record.h"
 
 #include "sigmascape/base/units.h"
@@ -16,20 +17,19 @@
 namespace sigmascape {
 namespace {
 
-constexpr std::string_view group = "Doppler";
-constexpr radar::Window even{.shape = radar::WindowShape::Rectangular};
+constexpr std::string_view doppler_group = "Doppler";
 
 /// λ = 3 cm.
 radar::Radar even_band_radar(double range_resolution_m) {
   radar::Radar radar;
   radar.frequency_hz = speed_of_light_mps / 0.03;
   radar.range_resolution_m = range_resolution_m;
-  radar.waveform.window = even;
+  radar.waveform.window = even_window;
   radar.beam_width_rad = radians_from_deg(12.0);  // movers are seen from far before and behind
   return radar;
 }
 
-radar::Scatterer point_at(Vec3d position) {
+radar::Scatterer vv_point_at(Vec3d position) {
   return {position, {.vv = {1.0F, 0.0F}, .hh = {}, .hv = {}}};
 }
 
@@ -39,12 +39,12 @@ Vec3d ahead(double range_m, double squint_rad, double height_m) {
   return {ground_m * std::sin(squint_rad), ground_m * std::cos(squint_rad), 0.0};
 }
 
-struct Peak {
+struct BinPeak {
   double column = 0.0, row = 0.0, power = 0.0;
 };
 
 /// The brightest bin, its place refined by a parabola through the neighbours.
-Peak brightest(const Array2D<radar::ComplexChannels>& bins) {
+BinPeak brightest_bin(const Array2D<radar::ComplexChannels>& bins) {
   std::size_t column = 0, row = 0;
   double best = -1.0;
   for (std::size_t r = 0; r < bins.rows(); ++r) {
@@ -72,7 +72,7 @@ Peak brightest(const Array2D<radar::ComplexChannels>& bins) {
 
 /// Half-power width of the brightest row's main lobe, in bins, between bins by straight lines.
 double half_power_bins(const Array2D<radar::ComplexChannels>& bins) {
-  const Peak peak = brightest(bins);
+  const BinPeak peak = brightest_bin(bins);
   const auto row = bins.row(static_cast<std::size_t>(peak.row));
   const auto crossing = [&](std::ptrdiff_t step) {
     auto at = static_cast<std::ptrdiff_t>(peak.column);
@@ -97,11 +97,11 @@ TEST(DopplerBeamSharpening, resolves_lambda_r_over_2vT_sine_squint) {
     const auto track = radar::Track::straight({0.0, 0.0, 10.0}, {0.0, e.speed_mps, 0.0});
     const receiver::CoherentInterval interval{.pulses = static_cast<std::size_t>(e.interval_s * repetition_hz),
                                               .repetition_hz = repetition_hz,
-                                              .window = even,
+                                              .window = even_window,
                                               .oversampling = 16.0};
     const Vec3d aim = ahead(e.range_m, squint, 10.0);
     receiver::DopplerImager imager(radar, track, interval, {e.range_m - 100.0, e.range_m + 100.0, 2.0}, aim);
-    const std::vector<radar::Scatterer> point{point_at(aim)};
+    const std::vector<radar::Scatterer> point{vv_point_at(aim)};
     imager.add(point);
     const auto image = imager.image();
     // Metres across the line of sight a bin: by two points that are a small angle apart.
@@ -110,8 +110,9 @@ TEST(DopplerBeamSharpening, resolves_lambda_r_over_2vT_sine_squint) {
     const double bins_apart = image.place_of({ahead(e.range_m, squint + angle, 10.0)}).x - image.place_of({aim}).x;
     const double cell_m = half_power_bins(image.amplitude_m) * apart_m / std::abs(bins_apart) / 0.886;
     const double expected = radar::cross_range_resolution_m(e.range_m, 0.03, e.speed_mps, e.interval_s, squint);
-    validation::expect_close({group, "DBS cell at " + std::to_string(static_cast<int>(e.squint_deg)) + "° squint",
-                              expected, cell_m, 0.05 * expected, "m", "λr/(2vT sin φ)"});
+    validation::expect_close({doppler_group,
+                              "DBS cell at " + std::to_string(static_cast<int>(e.squint_deg)) + "° squint", expected,
+                              cell_m, 0.05 * expected, "m", "λr/(2vT sin φ)"});
   }
 }
 
@@ -128,17 +129,17 @@ TEST(DopplerBeamSharpening, resolves_along_constant_range_by_the_angle_on_the_ma
     receiver::DopplerImager imager(radar, track,
                                    {.pulses = static_cast<std::size_t>(interval_s * repetition_hz),
                                     .repetition_hz = repetition_hz,
-                                    .window = even,
+                                    .window = even_window,
                                     .oversampling = 16.0},
                                    {range_m - 100.0, range_m + 100.0, 2.0}, aim);
-    const std::vector<radar::Scatterer> point{point_at(aim)};
+    const std::vector<radar::Scatterer> point{vv_point_at(aim)};
     imager.add(point);
     const auto image = imager.image();
     const double apart_m = 2.0, angle = apart_m / std::hypot(aim.x, aim.y);
     const double bins_apart = image.place_of({ahead(range_m, off + angle, height_m)}).x - image.place_of({aim}).x;
     const double cell_m = half_power_bins(image.amplitude_m) * apart_m / std::abs(bins_apart) / 0.886;
     const double expected = radar::cross_range_resolution_m(range_m, 0.03, speed_mps, interval_s, off);
-    validation::expect_close({group,
+    validation::expect_close({doppler_group,
                               "DBS cell " + std::to_string(static_cast<int>(off_deg)) + "° off the course, " +
                                   std::to_string(static_cast<int>(depression_deg)) + "° down" +
                                   (climb_mps > 0.0 ? ", climbing" : ""),
@@ -177,8 +178,8 @@ struct ImageAndPulses {
   [[nodiscard]] double difference_of(const std::vector<radar::Scatterer>& points,
                                      const std::vector<radar::Target>& targets) const {
     const receiver::RangeGate gate{range_m - 1000.0, range_m + 1000.0, 1.5};
-    receiver::DopplerImager imager(radar, track, {.pulses = count, .repetition_hz = repetition_hz, .window = even},
-                                   gate, aim);
+    receiver::DopplerImager imager(radar, track,
+                                   {.pulses = count, .repetition_hz = repetition_hz, .window = even_window}, gate, aim);
     imager.add(points);
     imager.add(targets);
     const auto image = imager.image();
@@ -195,12 +196,12 @@ struct ImageAndPulses {
 
 TEST(DopplerBeamSharpening, is_what_a_processor_makes_of_the_pulses) {
   const ImageAndPulses example;
-  std::vector<radar::Scatterer> points{point_at(example.aim), point_at(example.aim + Vec3d{150.0, 300.0, 0.0}),
-                                       point_at(example.aim + Vec3d{-300.0, 400.0, 20.0}),
-                                       point_at(example.aim + Vec3d{130.0, -900.0, 0.0})};
+  std::vector<radar::Scatterer> points{vv_point_at(example.aim), vv_point_at(example.aim + Vec3d{150.0, 300.0, 0.0}),
+                                       vv_point_at(example.aim + Vec3d{-300.0, 400.0, 20.0}),
+                                       vv_point_at(example.aim + Vec3d{130.0, -900.0, 0.0})};
   points[1].amplitude_m.vv = {0.0F, 0.7F};
   // What is left: 1 m of range walk against cells of 60 m, and 3° of Doppler change.
-  validation::expect_close({group, "image against transformed pulses, relative error power", 0.0,
+  validation::expect_close({doppler_group, "image against transformed pulses, relative error power", 0.0,
                             example.difference_of(points, {}), 1e-3, "1", "independent DFT"});
 }
 
@@ -226,19 +227,19 @@ TEST(DopplerBeamSharpening, folds_at_the_pulse_repetition_frequency) {
   const auto track = radar::Track::straight({0.0, 0.0, 10.0}, {0.0, 150.0, 0.0});
   const double range_m = 10'000.0, repetition_hz = 1000.0;
   const Vec3d aim = ahead(range_m, radians_from_deg(60.0), 10.0), other = ahead(range_m, radians_from_deg(48.0), 10.0);
-  receiver::DopplerImager imager(radar, track,
-                                 {.pulses = 100, .repetition_hz = repetition_hz, .window = even, .oversampling = 8.0},
-                                 {range_m - 100.0, range_m + 100.0, 2.0}, aim);
-  const std::vector<radar::Scatterer> point{point_at(other)};
+  receiver::DopplerImager imager(
+      radar, track, {.pulses = 100, .repetition_hz = repetition_hz, .window = even_window, .oversampling = 8.0},
+      {range_m - 100.0, range_m + 100.0, 2.0}, aim);
+  const std::vector<radar::Scatterer> point{vv_point_at(other)};
   imager.add(point);
   const auto image = imager.image();
   const double true_hz = 2.0 * 150.0 / 0.03 * dot(normalized(other - Vec3d{0.0, 0.0, 10.0}), Vec3d{0.0, 1.0, 0.0});
   const double aim_hz = 2.0 * 150.0 / 0.03 * dot(normalized(aim - Vec3d{0.0, 0.0, 10.0}), Vec3d{0.0, 1.0, 0.0});
   ASSERT_GT(true_hz - aim_hz, 1.5 * repetition_hz);  // folds, twice
-  const double seen_hz = image.doppler_hz.middle_of(brightest(image.amplitude_m).column);
-  validation::expect_close(
-      {group, "folded Doppler", 0.0, std::remainder(seen_hz - true_hz, repetition_hz), 0.5, "Hz", "f modulo PRF"});
-  EXPECT_NEAR(image.place_of({other}).x, brightest(image.amplitude_m).column, 0.1);
+  const double seen_hz = image.doppler_hz.middle_of(brightest_bin(image.amplitude_m).column);
+  validation::expect_close({doppler_group, "folded Doppler", 0.0, std::remainder(seen_hz - true_hz, repetition_hz), 0.5,
+                            "Hz", "f modulo PRF"});
+  EXPECT_NEAR(image.place_of({other}).x, brightest_bin(image.amplitude_m).column, 0.1);
 }
 
 TEST(DopplerBeamSharpening, is_blind_ahead) {
@@ -271,29 +272,30 @@ TEST(Mover, is_shifted_by_r_vr_over_V) {
   {
     const double repetition_hz = 3000.0;
     const auto track = radar::Track::straight({}, {0.0, speed_mps, 0.0});
-    receiver::DopplerImager imager(radar, track,
-                                   {.pulses = 300, .repetition_hz = repetition_hz, .window = even, .oversampling = 4.0},
-                                   {range_m - 100.0, range_m + 100.0, 2.0}, place);
+    receiver::DopplerImager imager(
+        radar, track, {.pulses = 300, .repetition_hz = repetition_hz, .window = even_window, .oversampling = 4.0},
+        {range_m - 100.0, range_m + 100.0, 2.0}, place);
     imager.add(movers);
     const auto image = imager.image();
     // Where along the flight ground of the same range has that Doppler.
-    const double seen_hz = image.doppler_hz.middle_of(brightest(image.amplitude_m).column);
+    const double seen_hz = image.doppler_hz.middle_of(brightest_bin(image.amplitude_m).column);
     const double shift_m = seen_hz * 0.03 / (2.0 * speed_mps) * range_m;
     const double cell_m = radar::cross_range_resolution_m(range_m, 0.03, speed_mps, 0.1, pi / 2.0);
-    validation::expect_close({group, "shift of a mover, sharpened beam", 1000.0, shift_m, cell_m, "m", "r v_r/V"});
+    validation::expect_close(
+        {doppler_group, "shift of a mover, sharpened beam", 1000.0, shift_m, cell_m, "m", "r v_r/V"});
   }
   {
     receiver::StripmapImager imager(
         radar, {{}, {0.0, speed_mps, 0.0}},
-        {.first_along_m = -200.0, .last_along_m = 1400.0, .resolution_m = 5.0, .window = even},
+        {.first_along_m = -200.0, .last_along_m = 1400.0, .resolution_m = 5.0, .window = even_window},
         {range_m - 100.0, range_m + 100.0, 2.0});
     imager.add(movers);
     const auto image = imager.image();
-    const double along_m = image.along_m.middle_of(brightest(image.amplitude_m).column);
-    validation::expect_close({group, "shift of a mover, stripmap", 1000.0, along_m, 5.0, "m", "r v_r/V"});
-    validation::expect_close({group, "closed formula of the shift", 1000.0,
+    const double along_m = image.along_m.middle_of(brightest_bin(image.amplitude_m).column);
+    validation::expect_close({doppler_group, "shift of a mover, stripmap", 1000.0, along_m, 5.0, "m", "r v_r/V"});
+    validation::expect_close({doppler_group, "closed formula of the shift", 1000.0,
                               radar::mover_shift_m(range_m, -5.0, speed_mps), 1e-9, "m", "r v_r/V"});
-    validation::expect_close({group, "shift of a mover of 5 m/s, 50 km away, seen from 150 m/s", 1666.7,
+    validation::expect_close({doppler_group, "shift of a mover of 5 m/s, 50 km away, seen from 150 m/s", 1666.7,
                               radar::mover_shift_m(50e3, -5.0, 150.0), 0.05, "m", "r v/V"});
   }
 }
@@ -310,7 +312,7 @@ TEST(Mover, that_goes_along_is_smeared_over_more_than_twice_its_way) {
                                   {.first_along_m = -100.0,
                                    .last_along_m = 100.0,
                                    .resolution_m = resolution_m,
-                                   .window = even,
+                                   .window = even_window,
                                    .oversampling = 2.0},
                                   {range_m - 50.0, range_m + 50.0, 2.0});
   imager.add(movers);
@@ -329,7 +331,7 @@ TEST(Mover, that_goes_along_is_smeared_over_more_than_twice_its_way) {
   const double interval_s = 0.886 / resolution_m * 0.03 * range_m / (2.0 * speed_mps);
   const double drift_of_ground = std::pow(speed_mps / (speed_mps - along_mps), 2.0);  // over the mover's own
   const double expected = speed_mps * interval_s * (drift_of_ground - 1.0);
-  validation::expect_close({group, "smear of a mover along the flight", expected, (end_m - begin_m) / 0.9,
+  validation::expect_close({doppler_group, "smear of a mover along the flight", expected, (end_m - begin_m) / 0.9,
                             0.05 * expected, "m", "V T |k_g/k − 1|"});
 }
 
@@ -353,7 +355,7 @@ TEST(Smear, keeps_power_and_follows_the_left_over_phase) {
 TEST(Stripmap, keeps_its_band_of_targets_that_change_by_pulse) {
   auto radar = even_band_radar(5.0);
   const double range_m = 20'000.0, speed_mps = 100.0, resolution_m = 1.0;
-  const double band_hz = radar::WindowResponse(even).half_power_width() / resolution_m * speed_mps;
+  const double band_hz = radar::WindowResponse(even_window).half_power_width() / resolution_m * speed_mps;
   radar.waveform.pulse_repetition_hz = 4.0 * band_hz;
   double sum = 0.0, far = 0.0;
   constexpr int draws = 12;
@@ -365,7 +367,7 @@ TEST(Stripmap, keeps_its_band_of_targets_that_change_by_pulse) {
     target.seed = static_cast<std::uint64_t>(draw) + 1;
     receiver::StripmapImager imager(
         radar, {{}, {0.0, speed_mps, 0.0}},
-        {.first_along_m = -400.0, .last_along_m = 400.0, .resolution_m = resolution_m, .window = even},
+        {.first_along_m = -400.0, .last_along_m = 400.0, .resolution_m = resolution_m, .window = even_window},
         {range_m - 50.0, range_m + 50.0, 2.0});
     imager.add({&target, 1});
     const auto image = imager.image();
@@ -388,7 +390,7 @@ receiver::StripmapImager finely_sampled_strip(const radar::Radar& radar, double 
           {.first_along_m = -60.0,
            .last_along_m = 60.0,
            .resolution_m = 1.0,
-           .window = even,
+           .window = even_window,
            .oversampling = 16.0,
            .squint_rad = squint_rad},
           {9'950.0, 10'050.0, 16.0}};
@@ -400,14 +402,14 @@ TEST(Stripmap, answers_points_with_the_exact_response) {
     const double squint = radians_from_deg(squint_deg);
     receiver::StripmapImager imager = finely_sampled_strip(radar, squint);
     const Vec3d place{std::sqrt(1e8 - 16e6), 12.34, 0.0};
-    const std::vector<radar::Scatterer> point{point_at(place)};
+    const std::vector<radar::Scatterer> point{vv_point_at(place)};
     imager.add(point);
     const auto image = imager.image();
-    const Peak peak = brightest(image.amplitude_m);
+    const BinPeak peak = brightest_bin(image.amplitude_m);
     validation::expect_close(
-        {group, "stripmap place along", 12.34, image.along_m.middle_of(peak.column), 0.1, "m", "geometry"});
-    validation::expect_close(
-        {group, "stripmap closest range", 10'000.0, image.closest_range_m.middle_of(peak.row), 0.2, "m", "geometry"});
+        {doppler_group, "stripmap place along", 12.34, image.along_m.middle_of(peak.column), 0.1, "m", "geometry"});
+    validation::expect_close({doppler_group, "stripmap closest range", 10'000.0,
+                              image.closest_range_m.middle_of(peak.row), 0.2, "m", "geometry"});
     EXPECT_NEAR(image.place_of(place).x, peak.column, 0.5);
     const auto row = image.amplitude_m.row(static_cast<std::size_t>(peak.row));
     auto right = static_cast<std::size_t>(peak.column);
@@ -415,8 +417,8 @@ TEST(Stripmap, answers_points_with_the_exact_response) {
     double side_lobe = 0.0;
     for (std::size_t c = right; c < row.size(); ++c) side_lobe = std::max<double>(side_lobe, std::norm(row[c].vv));
     validation::expect_close(
-        {group, "stripmap side lobe", -13.26, db_from_linear(side_lobe / peak.power), 0.1, "dB", "sinc²"});
-    validation::expect_close({group, "stripmap half-power width", 1.0,
+        {doppler_group, "stripmap side lobe", -13.26, db_from_linear(side_lobe / peak.power), 0.1, "dB", "sinc²"});
+    validation::expect_close({doppler_group, "stripmap half-power width", 1.0,
                               half_power_bins(image.amplitude_m) * image.along_m.step, 0.02, "m", "nominal"});
     EXPECT_NEAR(peak.power, 1.0, 0.01);
   }
@@ -432,14 +434,14 @@ TEST(Stripmap, gives_targets_at_rest_the_phase_of_the_ground) {
       receiver::StripmapImager imager = finely_sampled_strip(radar, squint);
       imager.add(points);
       const auto image = imager.image();
-      const Peak peak = brightest(image.amplitude_m);
+      const BinPeak peak = brightest_bin(image.amplitude_m);
       return std::arg(image.amplitude_m(static_cast<std::size_t>(peak.column), static_cast<std::size_t>(peak.row)).vv);
     };
     radar::Target target;
     target.track = radar::Track::straight(place);
     target.rcs_m2 = radar::Channels{1.0F, 1.0F, 0.0F, 1.0F};
     const double of_target = phase_of(std::vector<radar::Target>{target});
-    const double of_ground = phase_of(std::vector<radar::Scatterer>{point_at(place)});
+    const double of_ground = phase_of(std::vector<radar::Scatterer>{vv_point_at(place)});
     EXPECT_NEAR(std::remainder(of_target - of_ground, 2.0 * pi), 0.0, 0.1) << along_m;
   }
 }

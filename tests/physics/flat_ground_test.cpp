@@ -17,17 +17,12 @@
 namespace sigmascape::physics_test {
 namespace {
 
-constexpr double albedo = 0.4;
-constexpr double gamma = 0.03;
+constexpr double lambert_albedo = 0.4;
 constexpr double cross_ratio = 0.1;
-constexpr const char* group = "Flat ground, baked";
+constexpr const char* flat_ground_group = "Flat ground, baked";
 
 scatter::Material lambert_ground() {
-  return {.name = "lambert", .model = scatter::LambertParameters{albedo, {cross_ratio, 0.5}}, .source = {}};
-}
-
-scatter::Material gamma_ground() {
-  return {.name = "gamma", .model = scatter::ConstantGammaParameters{gamma, {cross_ratio, 0.5}}, .source = {}};
+  return {.name = "lambert", .model = scatter::LambertParameters{lambert_albedo, {cross_ratio, 0.5}}, .source = {}};
 }
 
 scatter::Material tabulated_ground(Class terrain) {
@@ -38,11 +33,11 @@ scatter::Material tabulated_ground(Class terrain) {
 
 /// The albedo is that of both receive polarizations together.
 double lambert_sigma0_vv(double elevation_rad) {
-  return 4.0 * albedo * std::pow(std::sin(elevation_rad), 2) / (1.0 + cross_ratio);
+  return 4.0 * lambert_albedo * std::pow(std::sin(elevation_rad), 2) / (1.0 + cross_ratio);
 }
 
 double gamma_sigma0_vv(double elevation_rad) {
-  return gamma * std::sin(elevation_rad);
+  return ground_gamma * std::sin(elevation_rad);
 }
 
 double channel_of(const radar::Channels& power, Channel channel) {
@@ -111,8 +106,8 @@ std::vector<double> in_radians(std::vector<double> degrees) {
   return degrees;
 }
 
-void expect_db(const std::string& name, double expected, double measured, const char* source) {
-  validation::expect_close({.group = group,
+void expect_baked_db(const std::string& name, double expected, double measured, const char* source) {
+  validation::expect_close({.group = flat_ground_group,
                             .name = name,
                             .expected = db_from_linear(expected),
                             .measured = db_from_linear(measured),
@@ -132,15 +127,15 @@ TEST(FlatGround, LambertAndConstantGammaFromTwoToSixtyDegreesOfGrazing) {
       return fmt::format("{}, elevation {}°, {}", ground, elevations_deg[i], channel);
     };
     const radar::Channels lambert = card.sigma0(0, i), natural = card.sigma0(1, i);
-    expect_db(name("Lambert, albedo 0.4, a tenth across", "VV"), lambert_sigma0_vv(elevation_rad),
-              static_cast<double>(lambert.vv), "4ρ sin²ψ / (1 + x)");
-    expect_db(name("Lambert, albedo 0.4, a tenth across", "all receive"),
-              4.0 * albedo * std::pow(std::sin(elevation_rad), 2), static_cast<double>(lambert.vv + lambert.hv),
-              "4ρ sin²ψ");
-    expect_db(name("constant gamma 0.03", "VV"), gamma_sigma0_vv(elevation_rad), static_cast<double>(natural.vv),
-              "γ sin ψ");
-    expect_db(name("constant gamma 0.03", "HV"), cross_ratio * gamma_sigma0_vv(elevation_rad),
-              static_cast<double>(natural.hv), "γ x sin ψ");
+    expect_baked_db(name("Lambert, albedo 0.4, a tenth across", "VV"), lambert_sigma0_vv(elevation_rad),
+                    static_cast<double>(lambert.vv), "4ρ sin²ψ / (1 + x)");
+    expect_baked_db(name("Lambert, albedo 0.4, a tenth across", "all receive"),
+                    4.0 * lambert_albedo * std::pow(std::sin(elevation_rad), 2),
+                    static_cast<double>(lambert.vv + lambert.hv), "4ρ sin²ψ");
+    expect_baked_db(name("constant gamma 0.03", "VV"), gamma_sigma0_vv(elevation_rad), static_cast<double>(natural.vv),
+                    "γ sin ψ");
+    expect_baked_db(name("constant gamma 0.03", "HV"), cross_ratio * gamma_sigma0_vv(elevation_rad),
+                    static_cast<double>(natural.hv), "γ x sin ψ");
   }
 }
 
@@ -174,7 +169,7 @@ TEST(FlatGround, EveryVerifiedRowOfUlabyAndDobson) {
         const double error = error_db(6 - i, expected_db);
         if (std::abs(error) > std::abs(worst)) worst = error;
       }
-      validation::expect_close({.group = group,
+      validation::expect_close({.group = flat_ground_group,
                                 .name = name_of(curve) + ", worst error of 1 to 70° of incidence",
                                 .expected = 0.0,
                                 .measured = worst,
@@ -201,7 +196,7 @@ TEST(FlatGround, TheSizeOfTexelsDoesNotMatter) {
       }
     }
     validation::expect_close(
-        {.group = group,
+        {.group = flat_ground_group,
          .name = fmt::format("texels of {} m against 1 m, worst change of three grounds at 2, 20 and 60°", texel_m),
          .expected = 0.0,
          .measured = worst,
@@ -229,7 +224,7 @@ TEST(FlatGround, TheSizeOfPixelsDoesNotMatter) {
       }
     }
     validation::expect_close(
-        {.group = group,
+        {.group = flat_ground_group,
          .name = fmt::format("pixels of {} m against 1 m, worst change of three grounds at 2, 20 and 60°", cell_m),
          .expected = 0.0,
          .measured = worst,
@@ -249,9 +244,9 @@ TEST(FlatGround, BeckmannIsGeometricOptics) {
                         frequency_hz);
   for (std::size_t i = 0; i < incidences.size(); ++i) {
     const double theta = radians_from_deg(incidences[i]);
-    expect_db(fmt::format("conductor, Beckmann α 0.3, incidence {}°, VV", incidences[i]),
-              std::exp(-std::pow(std::tan(theta) / 0.3, 2)) / (0.09 * std::pow(std::cos(theta), 4)),
-              static_cast<double>(card.sigma0(0, i).vv), "Kirchhoff geometric optics");
+    expect_baked_db(fmt::format("conductor, Beckmann α 0.3, incidence {}°, VV", incidences[i]),
+                    std::exp(-std::pow(std::tan(theta) / 0.3, 2)) / (0.09 * std::pow(std::cos(theta), 4)),
+                    static_cast<double>(card.sigma0(0, i).vv), "Kirchhoff geometric optics");
   }
 }
 

@@ -21,7 +21,7 @@ scatter::FresnelCoefficients fresnel_of(Complex permittivity, double cos_inciden
                           static_cast<float>(cos_incidence));
 }
 
-double normal_reflectivity(Complex permittivity) {
+double fresnel_reflectivity(Complex permittivity) {
   return power_of(fresnel_of(permittivity, 1.0).s);
 }
 
@@ -42,7 +42,7 @@ TEST(Fresnel, NormalReflectivityOfMaterialsAtTenGigahertz) {
         {.group = "Fresnel",
          .name = fmt::format("reflectivity at normal incidence, {}, 10 GHz", row.name),
          .expected = row.expected_db,
-         .measured = db_from_linear(normal_reflectivity(row.permittivity.relative_at(10e9))),
+         .measured = db_from_linear(fresnel_reflectivity(row.permittivity.relative_at(10e9))),
          .tolerance = row.tolerance_db,
          .unit = "dB",
          .source = "|(1 − √ε)/(1 + √ε)|² in double precision; constants ITU-R P.2040-3 and Visina et al."});

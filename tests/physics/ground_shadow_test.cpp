@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "physics/ground_with_box.h"
+#include "physics/image_total.h"
 #include "validation/validation_record.h"
 
 #include "sigmascape/atlas/store.h"
@@ -16,7 +17,8 @@ namespace sigmascape::physics_test {
 namespace {
 
 /// The scene baked from the south at one elevation and seen from there, 20 km away.
-radar::RangeAzimuthImage image_of(const scene::Scene& scene, bake::Shadows shadows, const radar::Rectangle& area) {
+radar::RangeAzimuthImage image_from_south(const scene::Scene& scene, bake::Shadows shadows,
+                                          const radar::Rectangle& area) {
   const atlas::Atlas atlas = baked_from_south(scene, shadows);
   radar::Radar radar;
   radar.position = radar::position_seeing({}, pi, radians_from_deg(seen_elevation_deg), 20e3);
@@ -26,14 +28,8 @@ radar::RangeAzimuthImage image_of(const scene::Scene& scene, bake::Shadows shado
   return simulate::baked_image(atlas, scene.terrain, radar, area, {}, counts);
 }
 
-radar::RangeAzimuthImage image_of(const scene::Scene& scene, bake::Shadows shadows) {
-  return image_of(scene, shadows, {-150, -150, 150, 150});
-}
-
-double total_rcs_m2(const radar::RangeAzimuthImage& image) {
-  double total = 0.0;
-  for (const radar::Channels& bin : image.rcs_m2.values()) total += static_cast<double>(bin.vv);
-  return total;
+radar::RangeAzimuthImage image_from_south(const scene::Scene& scene, bake::Shadows shadows) {
+  return image_from_south(scene, shadows, {-150, -150, 150, 150});
 }
 
 /// Length of ground without power behind the box: what is missing of the open ground's power, over that power. Smearing
@@ -59,12 +55,12 @@ TEST(GroundShadow, BareSlopesReturnTheirOwnAngleAndArea) {
     const double expected = ground_gamma * std::sin(radians_from_deg(seen_elevation_deg) + slope) / std::cos(slope) *
                             scene.extent.width_m() * scene.extent.height_m();
     // All of the scene, beside which nothing answers.
-    const auto image = image_of(scene, bake::Shadows::RunTime, scene.extent);
+    const auto image = image_from_south(scene, bake::Shadows::RunTime, scene.extent);
     validation::expect_close(
         {.group = "Ground apart",
          .name = fmt::format("constant-gamma ground that rises away from the radar by {:.0f}°", slope_deg),
          .expected = 0.0,
-         .measured = db_from_linear(total_rcs_m2(image) / expected),
+         .measured = db_from_linear(total_vv_m2(image) / expected),
          .tolerance = 0.03,
          .unit = "dB over γ sin(ψ + β) of the true area",
          .source = "definition of constant gamma"});
@@ -80,7 +76,7 @@ TEST(GroundShadow, ABoxThrowsTheShadowOfItsSlope) {
     validation::expect_close({.group = "Ground apart",
                               .name = fmt::format("shadow of a 12 m box on a slope of {:.0f}°", slope_deg),
                               .expected = expected_m,
-                              .measured = shadow_length_m(image_of(scene, bake::Shadows::RunTime), scene),
+                              .measured = shadow_length_m(image_from_south(scene, bake::Shadows::RunTime), scene),
                               .tolerance = 2.0,
                               .unit = "m",
                               .source = "h / (tan ψ + tan β)"});
@@ -90,8 +86,9 @@ TEST(GroundShadow, ABoxThrowsTheShadowOfItsSlope) {
 // On level ground, from a baked look, it makes no difference where the shadow is made: each echo is there once.
 TEST(GroundShadow, NothingIsHiddenOrCountedTwice) {
   const scene::Scene scene = ground_with_box(0.0, true);
-  const auto at_run_time = image_of(scene, bake::Shadows::RunTime), baked = image_of(scene, bake::Shadows::Baked);
-  EXPECT_NEAR(total_rcs_m2(at_run_time) / total_rcs_m2(baked), 1.0, 0.003);
+  const auto at_run_time = image_from_south(scene, bake::Shadows::RunTime),
+             baked = image_from_south(scene, bake::Shadows::Baked);
+  EXPECT_NEAR(total_vv_m2(at_run_time) / total_vv_m2(baked), 1.0, 0.003);
   EXPECT_NEAR(shadow_length_m(at_run_time, scene), shadow_length_m(baked, scene), 2.0);
 }
 

@@ -1,21 +1,16 @@
 #pragma once
 
+#include "physics/baked_atlas.h"
 #include "physics/level_scene.h"
-#include "scratch_folder.h"
-
-#include "sigmascape/atlas/atlas.h"
-#include "sigmascape/atlas/store.h"
-#include "sigmascape/bake/bake.h"
 
 namespace sigmascape::physics_test {
 
-inline constexpr double ground_gamma = 0.03, seen_elevation_deg = 20.0;
+inline constexpr double seen_elevation_deg = 20.0;
 inline constexpr double box_height_m = 12.0, half_box_m = 6.0;
 
 /// Ground of constant gamma, 512 m square, that rises northward by `rise`, with a box in its middle.
 inline scene::Scene ground_with_box(double rise, bool with_box) {
-  scene::Scene scene = level_scene(
-      {.name = "gamma", .model = scatter::ConstantGammaParameters{ground_gamma, {0.1, 0.5}}, .source = {}}, 512.0);
+  scene::Scene scene = level_scene(gamma_ground(), 512.0);
   for (const std::size_t column : {0U, 1U}) {
     scene.terrain.height_m(column, 0) = static_cast<float>(256.0 * rise);
     scene.terrain.height_m(column, 1) = static_cast<float>(-256.0 * rise);
@@ -36,10 +31,7 @@ inline atlas::Atlas baked_from_south(const scene::Scene& scene, bake::Shadows sh
   settings.patches = {2.0, 256};
   settings.sampling.samples_per_texel = 8;
   settings.shadows = shadows;
-  const ScratchFolder folder;
-  SilentProgress silent;
-  bake::bake(scene, settings, folder.path("atlas"), silent);
-  return atlas::load_atlas(atlas::Store::open(folder.path("atlas")));
+  return baked_atlas(scene, settings);
 }
 
 }  // namespace sigmascape::physics_test

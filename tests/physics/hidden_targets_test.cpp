@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "physics/ground_with_box.h"
+#include "physics/image_total.h"
 #include "validation/validation_record.h"
 
 #include "sigmascape/product/ground_projection.h"
@@ -12,9 +13,9 @@
 namespace sigmascape::physics_test {
 namespace {
 
-constexpr std::string_view group = "Targets";
+constexpr std::string_view hidden_targets_group = "Targets";
 const double tangent = std::tan(radians_from_deg(seen_elevation_deg));
-const radar::Rectangle area{-120.0, -120.0, 120.0, 120.0};
+const radar::Rectangle seen_area{-120.0, -120.0, 120.0, 120.0};
 
 /// From the south, with cells of 2 m both ways.
 radar::Radar real_beam() {
@@ -34,12 +35,6 @@ radar::Target target_at(Vec3d position, float rcs_m2, Vec3d size_m = {}) {
   return target;
 }
 
-double total(const radar::RangeAzimuthImage& image) {
-  double sum = 0.0;
-  for (const radar::Channels& bin : image.rcs_m2.values()) sum += static_cast<double>(bin.vv);
-  return sum;
-}
-
 /// The same scene at level of detail 0 and, baked, at level 1.
 class BothLevels {
  public:
@@ -50,12 +45,12 @@ class BothLevels {
 
   [[nodiscard]] radar::RangeAzimuthImage traced(std::span<const radar::Target> targets) const {
     trace::TraceCounts counts;
-    return simulate::traced_image(scene_, geometry_, real_beam(), area,
+    return simulate::traced_image(scene_, geometry_, real_beam(), seen_area,
                                   {.cell_m = 2.0, .samples_per_cell = 16, .targets = targets}, counts);
   }
   [[nodiscard]] radar::RangeAzimuthImage baked(std::span<const radar::Target> targets, int level = 1) const {
     render::RenderCounts counts;
-    return simulate::baked_image(atlas_, scene_.terrain, real_beam(), area,
+    return simulate::baked_image(atlas_, scene_.terrain, real_beam(), seen_area,
                                  {.level_of_detail = level, .targets = targets}, counts);
   }
   [[nodiscard]] const scene::Scene& scene() const { return scene_; }
@@ -72,7 +67,7 @@ class BothLevels {
 TEST(HiddenTargets, behind_a_box_do_not_answer) {
   const scene::Scene scene = ground_with_box(0.0, true);
   const BothLevels levels(scene);
-  const double traced_alone = total(levels.traced({})), baked_alone = total(levels.baked({}));
+  const double traced_alone = total_vv_m2(levels.traced({})), baked_alone = total_vv_m2(levels.baked({}));
   constexpr double behind_m = half_box_m + 12.0, rcs_m2 = 3e4;
   const double shadow_top_m = box_height_m - (behind_m - half_box_m) * tangent;
   struct Case {
@@ -87,8 +82,8 @@ TEST(HiddenTargets, behind_a_box_do_not_answer) {
   for (const auto& [position, seen] : cases) {
     SCOPED_TRACE(testing::Message() << position.x << ' ' << position.y << ' ' << position.z);
     const std::vector<radar::Target> targets{target_at(position, static_cast<float>(rcs_m2))};
-    EXPECT_NEAR((total(levels.traced(targets)) - traced_alone) / rcs_m2, seen ? 1.0 : 0.0, 0.01);
-    EXPECT_NEAR((total(levels.baked(targets)) - baked_alone) / rcs_m2, seen ? 1.0 : 0.0, 0.01);
+    EXPECT_NEAR((total_vv_m2(levels.traced(targets)) - traced_alone) / rcs_m2, seen ? 1.0 : 0.0, 0.01);
+    EXPECT_NEAR((total_vv_m2(levels.baked(targets)) - baked_alone) / rcs_m2, seen ? 1.0 : 0.0, 0.01);
 
     radar::Radar sar = real_beam();
     sar.mode = radar::Mode::Spotlight;
@@ -108,14 +103,15 @@ TEST(HiddenTargets, in_the_open_return_the_same_from_level_0_to_the_coarsest) {
   const scene::Scene scene = ground_with_box(0.0, true);
   const BothLevels levels(scene);
   const std::vector<radar::Target> targets{target_at({20.0, 14.0, 1.0}, 10.0F)};
-  validation::expect_close({group, "10 m² beside a box, traced", 10.0,
-                            db_from_linear(total(levels.traced(targets)) - total(levels.traced({}))), 0.1, "dBm²",
-                            "what was put in"});
+  validation::expect_close({hidden_targets_group, "10 m² beside a box, traced", 10.0,
+                            db_from_linear(total_vv_m2(levels.traced(targets)) - total_vv_m2(levels.traced({}))), 0.1,
+                            "dBm²", "what was put in"});
   const int coarsest = static_cast<int>(levels.atlas().coarsest_level()) + 1;
   for (const int level : {1, 3, coarsest}) {
-    validation::expect_close({group, "10 m² beside a box, level of detail " + std::to_string(level), 10.0,
-                              db_from_linear(total(levels.baked(targets, level)) - total(levels.baked({}, level))), 0.1,
-                              "dBm²", "what was put in"});
+    validation::expect_close(
+        {hidden_targets_group, "10 m² beside a box, level of detail " + std::to_string(level), 10.0,
+         db_from_linear(total_vv_m2(levels.baked(targets, level)) - total_vv_m2(levels.baked({}, level))), 0.1, "dBm²",
+         "what was put in"});
   }
 }
 
@@ -128,12 +124,12 @@ TEST(HiddenTargets, cast_a_shadow_in_the_real_beam) {
   const double sigma0 = sigma0_of_sine * std::sin(radians_from_deg(seen_elevation_deg));
   const double expected_m2 = across_m * (1.0 + height_m / tangent);
   const auto dark_m2 = [&](const radar::RangeAzimuthImage& alone, const radar::RangeAzimuthImage& with) {
-    return (total(alone) - total(with)) / sigma0;
+    return (total_vv_m2(alone) - total_vv_m2(with)) / sigma0;
   };
-  validation::expect_close({group, "shadow of a target in the real beam, traced", expected_m2,
+  validation::expect_close({hidden_targets_group, "shadow of a target in the real beam, traced", expected_m2,
                             dark_m2(levels.traced({}), levels.traced(wall)), 0.05 * expected_m2, "m²",
                             "width · h / tan ψ"});
-  validation::expect_close({group, "shadow of a target in the real beam, from the atlas", expected_m2,
+  validation::expect_close({hidden_targets_group, "shadow of a target in the real beam, from the atlas", expected_m2,
                             dark_m2(levels.baked({}), levels.baked(wall)), 0.05 * expected_m2, "m²",
                             "width · h / tan ψ"});
 }

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <vector>
 
+#include "physics/level_terrain.h"
 #include "validation/validation_record.h"
 
 #include "sigmascape/base/units.h"
@@ -14,21 +15,14 @@
 namespace sigmascape {
 namespace {
 
-constexpr std::string_view group = "Noise and pattern of images";
+constexpr std::string_view image_noise_group = "Noise and pattern of images";
 
-terrain::HeightField level_ground(double half_side_m) {
-  return {.west_m = -half_side_m,
-          .north_m = half_side_m,
-          .spacing_m = half_side_m / 20.0,
-          .height_m = Array2D<float>(41, 41, 0.0F)};
-}
-
-render::Reflectivity even(float sigma0) {
+render::Reflectivity even_in_all_channels(float sigma0) {
   return [sigma0](Vec2d, const radar::Aspect&) { return radar::Channels{sigma0, sigma0, sigma0, sigma0}; };
 }
 
 /// Looks north on the middle of the terrain and flies east.
-radar::Radar looking_north(radar::Mode mode) {
+radar::Radar looking_north_in(radar::Mode mode) {
   radar::Radar radar;
   radar.mode = mode;
   radar.position = radar::position_seeing({0.0, 0.0, 0.0}, pi, radians_from_deg(20.0), 8000.0);
@@ -53,11 +47,11 @@ double mean_of_rows(const Array2D<radar::ComplexChannels>& bins, std::size_t fir
 /// Pulses that are added up lift a target above the noise N/n_w times: in an image in square metres the noise is what
 /// one pulse has, as a cross-section, over that.
 TEST(ImageNoise, is_what_one_pulse_has_over_the_pulses) {
-  const auto terrain = level_ground(1000.0);
-  auto radar = looking_north(radar::Mode::Spotlight);
+  const auto terrain = level_terrain(1000.0);
+  auto radar = looking_north_in(radar::Mode::Spotlight);
   radar.processing.thermal_noise = true;
-  const auto image = simulate::range_doppler_image({&terrain, even(0.0F)}, radar, {-500.0, -500.0, 500.0, 500.0},
-                                                   {.interval_s = 0.2, .seed = 3});
+  const auto image = simulate::range_doppler_image({&terrain, even_in_all_channels(0.0F)}, radar,
+                                                   {-500.0, -500.0, 500.0, 500.0}, {.interval_s = 0.2, .seed = 3});
   const auto middle = static_cast<std::size_t>(image.range_m.place_of(8000.0));
   // kT₀BF (4π)³ r⁴ L/(P_t G² λ² G_c) · n_w/N, in decibels one by one.
   const double n_w = radar::WindowResponse(radar.waveform.window).noise_bandwidth();
@@ -67,7 +61,7 @@ TEST(ImageNoise, is_what_one_pulse_has_over_the_pulses) {
                                     db_from_linear(radar.receiver.losses);
   const double expected_db =
       noise_dbw - signal_of_1_m2_dbw - db_from_linear(radar::compression_gain(radar)) + db_from_linear(n_w / 200.0);
-  validation::expect_close({group, "noise-equivalent cross-section of 200 pulses at 8 km", expected_db,
+  validation::expect_close({image_noise_group, "noise-equivalent cross-section of 200 pulses at 8 km", expected_db,
                             db_from_linear(mean_of_rows(image.amplitude_m, middle - 40, middle + 40)), 0.1, "dBm²",
                             "k T₀ B F over the radar equation, N/n_w pulses"});
   // Noise has the band of the image: neighbours at two thirds of a cell are alike, and bins three cells off are not.
@@ -85,7 +79,7 @@ TEST(ImageNoise, is_what_one_pulse_has_over_the_pulses) {
   EXPECT_LT(std::abs(far) / power, 0.1);
   // Looks: each adds up a quarter of the pulses, and four of them are averaged.
   Array2D<double> looks(image.amplitude_m.columns(), image.amplitude_m.rows());
-  simulate::range_doppler_looks({&terrain, even(0.0F)}, radar, {-500.0, -500.0, 500.0, 500.0},
+  simulate::range_doppler_looks({&terrain, even_in_all_channels(0.0F)}, radar, {-500.0, -500.0, 500.0, 500.0},
                                 {.interval_s = 0.2, .seed = 3}, 4, [&](const radar::RangeDopplerImage& look) {
                                   for (std::size_t i = 0; i < looks.size(); ++i)
                                     looks.values()[i] +=
@@ -100,39 +94,41 @@ TEST(ImageNoise, is_what_one_pulse_has_over_the_pulses) {
     }
   }
   mean /= count;
-  validation::expect_close({group, "the same in four looks", expected_db + 6.02, db_from_linear(mean), 0.2, "dBm²",
-                            "a quarter of the pulses each"});
-  validation::expect_close(
-      {group, "looks of the noise", 4.0, mean * mean / (square / count - mean * mean), 0.6, "", "independent looks"});
+  validation::expect_close({image_noise_group, "the same in four looks", expected_db + 6.02, db_from_linear(mean), 0.2,
+                            "dBm²", "a quarter of the pulses each"});
+  validation::expect_close({image_noise_group, "looks of the noise", 4.0, mean * mean / (square / count - mean * mean),
+                            0.6, "", "independent looks"});
 }
 
 /// A strip adds up pulses in proportion to range, so that its noise goes with r³.
 TEST(ImageNoise, of_a_strip_goes_with_the_third_power_of_range) {
-  const auto terrain = level_ground(4000.0);
-  auto radar = looking_north(radar::Mode::Stripmap);
+  const auto terrain = level_terrain(4000.0);
+  auto radar = looking_north_in(radar::Mode::Stripmap);
   radar.processing.thermal_noise = true;
   radar.range_resolution_m = 20.0;
-  const auto image = simulate::stripmap_image({&terrain, even(0.0F)}, radar, {-600.0, -3500.0, 600.0, 3500.0},
-                                              {.along_resolution_m = 4.0, .scatterer_spacing_m = 20.0});
+  const auto image =
+      simulate::stripmap_image({&terrain, even_in_all_channels(0.0F)}, radar, {-600.0, -3500.0, 600.0, 3500.0},
+                               {.along_resolution_m = 4.0, .scatterer_spacing_m = 20.0});
   const auto rows_at = [&](double range_m) {
     const auto row = static_cast<std::size_t>(image.closest_range_m.place_of(range_m));
     return db_from_linear(mean_of_rows(image.amplitude_m, row - 8, row + 8));
   };
-  validation::expect_close({group, "noise of a strip at 10 km over that at 6 km", 30.0 * std::log10(10.0 / 6.0),
-                            rows_at(10e3) - rows_at(6e3), 0.3, "dB", "r⁴ over pulses that go with r"});
+  validation::expect_close({image_noise_group, "noise of a strip at 10 km over that at 6 km",
+                            30.0 * std::log10(10.0 / 6.0), rows_at(10e3) - rows_at(6e3), 0.3, "dB",
+                            "r⁴ over pulses that go with r"});
   // B_s λ r f_p/2V pulses, and the r.m.s. of the window that they have.
   const double n_w = radar::WindowResponse(radar.waveform.window).noise_bandwidth();
   const double band_per_m = radar::WindowResponse(radar.waveform.window).half_power_width() / 4.0;
   const double pulses = band_per_m * wavelength_m(radar.frequency_hz) * 8000.0 * 1000.0 / 200.0;
-  validation::expect_close({group, "noise-equivalent cross-section of a strip at 8 km",
+  validation::expect_close({image_noise_group, "noise-equivalent cross-section of a strip at 8 km",
                             -db_from_linear(radar::signal_to_noise(radar, 1.0, 8000.0) * pulses / n_w), rows_at(8e3),
                             0.3, "dBm²", "as above"});
 }
 
 /// A band of seven tenths of a Gaussian beam, whose edges the processor lifts by 1/g².
 TEST(ImageNoise, of_a_strip_is_lifted_as_the_pattern_is_evened_out) {
-  const auto terrain = level_ground(1000.0);
-  auto radar = looking_north(radar::Mode::Stripmap);
+  const auto terrain = level_terrain(1000.0);
+  auto radar = looking_north_in(radar::Mode::Stripmap);
   radar.processing.thermal_noise = true;
   radar.waveform.window = {.shape = radar::WindowShape::Rectangular};
   constexpr double resolution_m = 0.5;
@@ -142,8 +138,9 @@ TEST(ImageNoise, of_a_strip_is_lifted_as_the_pattern_is_evened_out) {
   const auto azimuth_of = [&](double sine) { return std::atan(std::tan(std::asin(sine)) / cosine_depression); };
   radar.beam_width_rad = 2.0 * azimuth_of(half_sine) / 0.7;
   const auto rows_of = [&](const radar::Radar& of) {
-    const auto image = simulate::stripmap_image({&terrain, even(0.0F)}, of, {-60.0, -100.0, 60.0, 100.0},
-                                                {.along_resolution_m = resolution_m, .scatterer_spacing_m = 20.0});
+    const auto image =
+        simulate::stripmap_image({&terrain, even_in_all_channels(0.0F)}, of, {-60.0, -100.0, 60.0, 100.0},
+                                 {.along_resolution_m = resolution_m, .scatterer_spacing_m = 20.0});
     const auto row = static_cast<std::size_t>(image.closest_range_m.place_of(8000.0));
     return db_from_linear(mean_of_rows(image.amplitude_m, row - 8, row + 8));
   };
@@ -156,22 +153,23 @@ TEST(ImageNoise, of_a_strip_is_lifted_as_the_pattern_is_evened_out) {
   auto wide = radar;
   wide.beam_width_rad *= 20.0;
   EXPECT_NEAR(db_from_linear(lift), 1.08, 0.01);
-  validation::expect_close({group, "noise of a strip whose band is 0.7 beams over that in a wide beam",
+  validation::expect_close({image_noise_group, "noise of a strip whose band is 0.7 beams over that in a wide beam",
                             db_from_linear(lift), rows_of(radar) - rows_of(wide), 0.05, "dB",
                             "mean of 1/g⁴ over the band"});
 }
 
 /// With all that an image can have in it, the bytes are those of one thread for any number of them.
 TEST(ImageNoise, and_all_else_does_not_depend_on_threads) {
-  const auto terrain = level_ground(1000.0);
+  const auto terrain = level_terrain(1000.0);
   radar::Target mover;
   mover.track = radar::Track::straight({10.0, 20.0, 2.0}, {3.0, 4.0, 0.0});
   mover.rcs_m2 = radar::Channels{50.0F, 40.0F, 3.0F, 20.0F};
   mover.size_m = {6.0, 3.0, 4.0};
   const std::vector<radar::Target> targets{mover};
-  const simulate::CoherentScene scene{&terrain, even(0.1F), targets, [](Vec2d place) { return place.x > 0.0; }};
+  const simulate::CoherentScene scene{&terrain, even_in_all_channels(0.1F), targets,
+                                      [](Vec2d place) { return place.x > 0.0; }};
   for (const radar::Mode mode : {radar::Mode::Spotlight, radar::Mode::Stripmap}) {
-    auto radar = looking_north(mode);
+    auto radar = looking_north_in(mode);
     radar.wind_mps = 7.0;
     radar.antenna.azimuth = radar::ApertureBeam{{.shape = radar::WindowShape::Rectangular}};
     radar.waveform.pulse_repetition_hz = 400.0;
@@ -192,11 +190,11 @@ TEST(ImageNoise, and_all_else_does_not_depend_on_threads) {
 /// Half a beam off the axis a point has lost 3 dB out and 3 dB back. Where the antenna scans it has not, and elevation
 /// counts in all modes.
 TEST(ImagePattern, darkens_what_the_beam_looks_past) {
-  const auto terrain = level_ground(1000.0);
+  const auto terrain = level_terrain(1000.0);
   const double half_beam_m = 8000.0 * std::cos(radians_from_deg(20.0)) * std::tan(0.025);
   const radar::GroundGrid grid{-half_beam_m - 20.0, 60.0, 2.0, static_cast<std::size_t>(half_beam_m) + 20, 60};
   const auto around = [&](const radar::Radar& radar, double east_m) {
-    const simulate::CoherentScene scene{&terrain, even(0.1F)};
+    const simulate::CoherentScene scene{&terrain, even_in_all_channels(0.1F)};
     const auto map = product::projected_to_ground(
         simulate::range_doppler_image(scene, radar, {-300.0, -100.0, 300.0, 100.0}, {.interval_s = 0.5}), terrain,
         grid);
@@ -217,23 +215,23 @@ TEST(ImagePattern, darkens_what_the_beam_looks_past) {
     return db_from_linear(around(radar, -half_beam_m) / around(plain, -half_beam_m) * around(plain, 0.0) /
                           around(radar, 0.0));
   };
-  radar::Radar spotlight = looking_north(radar::Mode::Spotlight);
-  validation::expect_close({group, "even ground half a beam off the axis of a spotlight", -6.02, fall_db(spotlight),
-                            0.2, "dB", "half power, out and back"});
-  EXPECT_NEAR(fall_db(looking_north(radar::Mode::DopplerBeamSharpening)), 0.0, 0.01);
-  radar::Radar fixed = looking_north(radar::Mode::DopplerBeamSharpening);
+  radar::Radar spotlight = looking_north_in(radar::Mode::Spotlight);
+  validation::expect_close({image_noise_group, "even ground half a beam off the axis of a spotlight", -6.02,
+                            fall_db(spotlight), 0.2, "dB", "half power, out and back"});
+  EXPECT_NEAR(fall_db(looking_north_in(radar::Mode::DopplerBeamSharpening)), 0.0, 0.01);
+  radar::Radar fixed = looking_north_in(radar::Mode::DopplerBeamSharpening);
   fixed.scan.kind = radar::ScanKind::Fixed;
   EXPECT_NEAR(fall_db(fixed), -6.02, 0.2);
 }
 
 /// A target 20° down, under a beam of 4° whose peak is on it, half a width above or below it, or in the sky.
 TEST(ImagePattern, counts_elevation_in_all_modes) {
-  const auto terrain = level_ground(1000.0);
+  const auto terrain = level_terrain(1000.0);
   radar::Target target;
   target.track = radar::Track::straight({0.0, 0.0, 0.0});
   target.rcs_m2 = radar::Channels{100.0F, 100.0F, 0.0F, 100.0F};
   const std::vector<radar::Target> targets{target};
-  const simulate::CoherentScene scene{&terrain, even(0.0F), targets};
+  const simulate::CoherentScene scene{&terrain, even_in_all_channels(0.0F), targets};
   const radar::Rectangle area{-40.0, -40.0, 40.0, 40.0};
   const auto energy = [&](radar::Radar radar, const radar::BeamShape& elevation, double tilt_deg) {
     radar.processing.antenna_pattern = true;
@@ -251,11 +249,12 @@ TEST(ImagePattern, counts_elevation_in_all_modes) {
   for (const auto& [mode, name] : {std::pair{radar::Mode::Spotlight, "spotlight"},
                                    {radar::Mode::DopplerBeamSharpening, "sharpened image"},
                                    {radar::Mode::Stripmap, "strip"}}) {
-    const auto radar = looking_north(mode);
+    const auto radar = looking_north_in(mode);
     const double peak = energy(radar, radar::EvenBeam{}, 0.0);
     ASSERT_GT(peak, 0.0) << name;
     for (const auto& [tilt_deg, expected_db] : {std::pair{-20.0, 0.0}, {-18.0, -6.02}, {-22.0, -6.02}}) {
-      validation::expect_close({group, fmt::format("{}, place 20° down, beam of 4° tilted by {}°", name, tilt_deg),
+      validation::expect_close({image_noise_group,
+                                fmt::format("{}, place 20° down, beam of 4° tilted by {}°", name, tilt_deg),
                                 expected_db, db_from_linear(energy(radar, radar::GaussianBeam{}, tilt_deg) / peak),
                                 0.02, "dB", "half power, out and back"});
     }

@@ -14,12 +14,8 @@ namespace sigmascape::physics_test {
 namespace {
 
 constexpr double texel_m = 1.0;
-constexpr float height_m = 20.0F;
+constexpr float object_height_m = 20.0F;
 const double elevations_deg[] = {5.0, 13.0, 21.0, 29.0, 37.0};
-
-scatter::Material lambert(std::string name, double albedo) {
-  return {.name = std::move(name), .model = scatter::LambertParameters{albedo, {0.0, 1.0}}, .source = {}};
-}
 
 /// Mean VV over a strip 8 m wide about x = 0, one number for each metre of y from `south_m` on: what a bake makes of
 /// the scene seen from the south.
@@ -82,9 +78,9 @@ void expect_metres(const char* name, double elevation_deg, double expected, doub
 TEST(LayoverAndShadow, AWallThrowsAShadowOfHeightOverTangent) {
   for (const double elevation_deg : elevations_deg) {
     scene::Scene scene = level_scene(lambert("ground", 0.5), 1024.0);
-    add_wall(scene, lambert("black", 0.0), 60.0F, height_m, pi);
+    add_wall(scene, lambert("black", 0.0), 60.0F, object_height_m, pi);
     const double elevation_rad = radians_from_deg(elevation_deg);
-    const double expected = height_m / std::tan(elevation_rad);
+    const double expected = object_height_m / std::tan(elevation_rad);
     const auto profile = baked_profile(scene, elevation_rad, -20.0, static_cast<std::size_t>(expected) + 40);
     expect_metres("shadow of a 20 m wall", elevation_deg, expected, shadow_m(profile, -20.0));
   }
@@ -93,7 +89,7 @@ TEST(LayoverAndShadow, AWallThrowsAShadowOfHeightOverTangent) {
 TEST(LayoverAndShadow, AWallLiesOverByHeightTimesTangent) {
   for (const double elevation_deg : elevations_deg) {
     scene::Scene scene = level_scene(lambert("black", 0.0));
-    add_wall(scene, lambert("wall", 0.5), 60.0F, height_m, pi);
+    add_wall(scene, lambert("wall", 0.5), 60.0F, object_height_m, pi);
     const double elevation_rad = radians_from_deg(elevation_deg);
     const auto profile = baked_profile(scene, elevation_rad, -30.0, 40);
     const double brightest = *std::ranges::max_element(profile);
@@ -101,7 +97,7 @@ TEST(LayoverAndShadow, AWallLiesOverByHeightTimesTangent) {
     // An evenly bright wall fills its layover evenly.
     double lit = 0.0;
     for (const double texel : profile) lit += texel / brightest;
-    expect_metres("layover of a 20 m wall", elevation_deg, height_m * std::tan(elevation_rad), lit);
+    expect_metres("layover of a 20 m wall", elevation_deg, object_height_m * std::tan(elevation_rad), lit);
     for (std::size_t y = 31; y < profile.size(); ++y) EXPECT_EQ(profile[y], 0.0) << "echoes behind the wall";
   }
 }
@@ -112,10 +108,10 @@ TEST(LayoverAndShadow, ABoxThrowsItsShadowFromTheFarEdge) {
   for (const double elevation_deg : elevations_deg) {
     scene::Scene scene = level_scene(lambert("ground", 0.5), 1024.0);
     scene.prototypes.push_back(
-        scene::box_mesh({60.0F, depth_m, height_m}, scene.material_index(lambert("black", 0.0))));
+        scene::box_mesh({60.0F, depth_m, object_height_m}, scene.material_index(lambert("black", 0.0))));
     scene.instances.push_back({.y_m = depth_m / 2.0F});
     const double elevation_rad = radians_from_deg(elevation_deg);
-    const double from_near_side = depth_m + height_m / std::tan(elevation_rad);
+    const double from_near_side = depth_m + object_height_m / std::tan(elevation_rad);
     const auto profile = baked_profile(scene, elevation_rad, -20.0, static_cast<std::size_t>(from_near_side) + 40);
     expect_metres("ground hidden by a 20 m box 12 m deep", elevation_deg, from_near_side, shadow_m(profile, -20.0));
   }
@@ -210,11 +206,11 @@ TEST(LayoverAndShadow, OnAHillsideTheShadowIsHeightOverSumOfTangents) {
       const double elevation_rad = radians_from_deg(elevation_deg);
       const double tangents = std::tan(elevation_rad) + std::tan(radians_from_deg(slope_deg));
       if (tangents < 0.1) continue;  // the hillside itself is all but unlit
-      const double expected = height_m / tangents;
+      const double expected = object_height_m / tangents;
 
       scene::Scene scene = level_scene(lambert("ground", 0.5), 800.0);
       scene.terrain = slope(slope_deg, 400.0);
-      add_wall(scene, lambert("black", 0.0), 60.0F, height_m, pi);
+      add_wall(scene, lambert("black", 0.0), 60.0F, object_height_m, pi);
       const auto profile = traced_profile(scene, elevation_rad, -30.0, std::ceil(expected) + 30.0);
       // At the ends of the area the pulse takes in ground that was not traced.
       expect_metres(fmt::format("shadow of a 20 m wall on ground rising by {:+.0f}°", slope_deg).c_str(), elevation_deg,
@@ -230,11 +226,11 @@ TEST(LayoverAndShadow, OnAHillsideTheLayoverFollowsTheSlope) {
       const double elevation_rad = radians_from_deg(elevation_deg);
       const double slope_rad = radians_from_deg(slope_deg);
       const double expected =
-          height_m * std::tan(elevation_rad) / (1.0 - std::tan(elevation_rad) * std::tan(slope_rad));
+          object_height_m * std::tan(elevation_rad) / (1.0 - std::tan(elevation_rad) * std::tan(slope_rad));
 
       scene::Scene scene = level_scene(lambert("black", 0.0), 800.0);
       scene.terrain = slope(slope_deg, 400.0);
-      add_wall(scene, lambert("white", 0.5), 60.0F, height_m, pi);
+      add_wall(scene, lambert("white", 0.5), 60.0F, object_height_m, pi);
       const auto profile = traced_profile(scene, elevation_rad, -std::ceil(expected) - 10.0, 10.0);
       const double brightest = *std::ranges::max_element(profile);
       // Evenly bright from the foot to the top: the sum over the brightness is the length. The pulse rounds both ends

@@ -24,6 +24,18 @@ inline scatter::Material rough_conductor(
           .source = {}};
 }
 
+/// A diffuse surface that leaves polarizations as they are.
+inline scatter::Material lambert(std::string name, double albedo) {
+  return {.name = std::move(name), .model = scatter::LambertParameters{albedo, {0.0, 1.0}}, .source = {}};
+}
+
+inline constexpr double ground_gamma = 0.03;
+
+/// Ground of constant γ; a tenth of what it returns in VV comes back in HV.
+inline scatter::Material gamma_ground() {
+  return {.name = "gamma", .model = scatter::ConstantGammaParameters{ground_gamma, {0.1, 0.5}}, .source = {}};
+}
+
 /// Level ground of one material about the origin, nothing on it.
 inline scene::Scene level_scene(const scatter::Material& ground, double side_m = 256.0) {
   scene::Scene scene;

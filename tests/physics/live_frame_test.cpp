@@ -16,13 +16,13 @@
 namespace sigmascape::render {
 namespace {
 
-constexpr double gamma = 0.1;
+constexpr double level_ground_gamma = 0.1;
 
 /// Cross-section of a bin on level ground: σ0 = γ sin ψ times the area between two ranges and two azimuths.
 double expected_rcs(const radar::RangeAzimuthGrid& grid, std::size_t range, double height_m) {
   const double near = grid.first_range_m + static_cast<double>(range) * grid.range_step_m;
   const double far = near + grid.range_step_m, middle = near + grid.range_step_m / 2.0;
-  return gamma * height_m / middle * (far * far - near * near) / 2.0 * grid.azimuth_step_rad;
+  return level_ground_gamma * height_m / middle * (far * far - near * near) / 2.0 * grid.azimuth_step_rad;
 }
 
 /// The worst of all bands of ranges, away from the ends that have no ground beyond.
@@ -45,7 +45,7 @@ ExampleGround level_ground(bool apart) {
   ExampleGround ground;
   ground.patches_a_side = 4;
   ground.azimuths = 2;  // it is the same from everywhere; few looks are soon written
-  const auto sigma0 = [](const radar::Look& look) { return constant_gamma(gamma, look); };
+  const auto sigma0 = [](const radar::Look& look) { return constant_gamma(level_ground_gamma, look); };
   ground.sigma0 = apart ? [](const radar::Look&) { return radar::Channels{}; } : decltype(ground.sigma0)(sigma0);
   if (apart) ground.bare_sigma0 = sigma0;
   return ground;
@@ -153,7 +153,7 @@ TEST(LiveFrame, OfLevelGroundHasTheReceivedPowerOfTheRadarEquation) {
         const double range_m = pose.first_range_m + (static_cast<double>(range) + 0.5) * bins.range_step_m;
         for (std::size_t beam = 2; beam + 2 < view.beams; ++beam) {
           sum_w += static_cast<double>(received.signal_w(beam, range));
-          wanted_w += expected_w(radar, range_m, part * gamma * pose.position.z / range_m);
+          wanted_w += expected_w(radar, range_m, part * level_ground_gamma * pose.position.z / range_m);
         }
       }
       const auto bins_of_it = static_cast<double>((view.ranges - 8) * (view.beams - 4));
@@ -242,10 +242,10 @@ double sine_of_band(const Frame& frame, std::size_t first, std::size_t count) {
     area +=
         middle_m * frame.grid.range_step_m * frame.grid.azimuth_step_rad * static_cast<double>(frame.grid.azimuths - 4);
   }
-  return power / (gamma * area);
+  return power / (level_ground_gamma * area);
 }
 
-constexpr double radar_height_m = 1000.0;
+constexpr double height_over_sea_m = 1000.0;
 
 /// 205 km of sea, of which a radar near the southern edge looks north.
 struct Sea {
@@ -267,7 +267,7 @@ struct Sea {
 
   [[nodiscard]] Pose pose(double first_range_m) const {
     Pose pose;
-    pose.position = {example.middle().x, 5e3, radar_height_m};
+    pose.position = {example.middle().x, 5e3, height_over_sea_m};
     pose.first_azimuth_rad = -22.0 * settings.beam_step_rad;
     pose.first_range_m = first_range_m;
     return pose;
@@ -309,7 +309,7 @@ void expect_the_sea_to_end(bool apart) {
     validation::expect_close({.group = "Live frames",
                               .name = fmt::format("sea{} {} km away, power over that of ψ = 90°",
                                                   apart ? ", kept apart," : "", 1e-3 * distance_m),
-                              .expected = db_from_linear(sine_by_triangle(radar_height_m, distance_m)),
+                              .expected = db_from_linear(sine_by_triangle(height_over_sea_m, distance_m)),
                               .measured = db_from_linear(sine_of_band(nearer, 40, band)),
                               .tolerance = 0.05,
                               .unit = "dB",
@@ -318,7 +318,7 @@ void expect_the_sea_to_end(bool apart) {
 
   sea.settings.refraction = 1e9;
   LiveRenderer flat(sea.ground, sea.settings);
-  EXPECT_GT(sine_of_band(settled_frame(flat, *sea.ground, pose), 60, band), 0.9 * radar_height_m / 137e3);
+  EXPECT_GT(sine_of_band(settled_frame(flat, *sea.ground, pose), 60, band), 0.9 * height_over_sea_m / 137e3);
 }
 
 TEST(LiveFrame, TheSeaEndsAtTheHorizon) {

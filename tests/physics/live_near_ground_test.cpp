@@ -13,7 +13,7 @@ namespace {
 
 // Near the radar beams are narrower than the texels of the level that all of a deep frame has.
 
-constexpr double gamma = 0.1;
+constexpr double near_ground_gamma = 0.1;
 constexpr std::size_t beams_left_out = 3;
 
 double vv(const Frame& frame, std::size_t beam, std::size_t range) {
@@ -33,7 +33,7 @@ struct Spread {
 class SpreadOfBins {
  public:
   void add(const Frame& frame, std::size_t first_range, double height_m) {
-    const double expected_m2 = gamma * height_m * frame.grid.range_step_m * frame.grid.azimuth_step_rad;
+    const double expected_m2 = near_ground_gamma * height_m * frame.grid.range_step_m * frame.grid.azimuth_step_rad;
     for (std::size_t beam = beams_left_out; beam + beams_left_out < frame.grid.azimuths; ++beam) {
       for (std::size_t range = first_range; range < first_range + 8; ++range)
         powers_.push_back(vv(frame, beam, range) / expected_m2);
@@ -66,7 +66,7 @@ class LiveNearGround : public testing::Test {
     example_.azimuths = 1;
     example_.elevations_deg = {2.0, 37.0};
     example_.sigma0 = [](const radar::Look&) { return radar::Channels{}; };
-    example_.bare_sigma0 = [](const radar::Look& look) { return constant_gamma(gamma, look); };
+    example_.bare_sigma0 = [](const radar::Look& look) { return constant_gamma(near_ground_gamma, look); };
     const atlas::Store store = example_.store(folder_.path("atlas"));
     atlas::Pyramid(store).make_above(store.units());
     ground_ = example_.over(store);
@@ -186,7 +186,7 @@ TEST_F(LiveNearGround, FillsAllBeamsAroundARadarThatLooksStraightDown) {
   double first_m2 = 0.0;
   for (std::size_t beam = 0; beam < settings.beams; ++beam)
     first_m2 = std::max(first_m2, vv(frame, beam, 0) + vv(frame, beam, 1));
-  const double even_m2 = gamma * pose.position.z * settings.range_step_m * settings.beam_step_rad;
+  const double even_m2 = near_ground_gamma * pose.position.z * settings.range_step_m * settings.beam_step_rad;
   EXPECT_LT(first_m2, 3.0 * even_m2);
 }
 
@@ -221,7 +221,7 @@ TEST_F(LiveNearGround, IsReportedByTheBeamsThatACellIsWide) {
 class LiveWideTexel : public testing::Test {
  protected:
   LiveWideTexel() {
-    example_.sigma0 = [](const radar::Look& look) { return constant_gamma(gamma, look); };
+    example_.sigma0 = [](const radar::Look& look) { return constant_gamma(near_ground_gamma, look); };
     example_.pattern = [](const radar::Look&, Vec2d at) {
       return std::abs(at.x - 0.5 * side_m) < 1.0 && std::abs(at.y - 0.5 * side_m) < 1.0 ? 1.0F : 0.0F;
     };
@@ -247,7 +247,7 @@ class LiveWideTexel : public testing::Test {
   }
 
   static constexpr double side_m = 4.0, distance_m = 500.0, height_m = 115.0;
-  static constexpr double answers_m2 = gamma * height_m / 513.054 * side_m * side_m;  // γ sin ψ A
+  static constexpr double answers_m2 = near_ground_gamma * height_m / 513.054 * side_m * side_m;  // γ sin ψ A
 
   ScratchFolder folder_;
   ExampleGround example_;

@@ -12,7 +12,7 @@
 namespace sigmascape::physics_test {
 namespace {
 
-constexpr std::string_view group = "Targets";
+constexpr std::string_view live_targets_group = "Targets";
 constexpr float rcs_m2 = 10.0F;
 
 std::vector<radar::Target> one_at(Vec3d position) {
@@ -24,7 +24,7 @@ std::vector<radar::Target> one_at(Vec3d position) {
 
 void expect_ten(const std::string& name, double measured_m2) {
   validation::expect_close(
-      {group, "10 m², " + name, 10.0, db_from_linear(measured_m2), 0.1, "dBm²", "weights sum to one"});
+      {live_targets_group, "10 m², " + name, 10.0, db_from_linear(measured_m2), 0.1, "dBm²", "weights sum to one"});
 }
 
 /// What it adds to the path-traced picture of the ground about it.

@@ -32,7 +32,7 @@ radar::Radar looking_east(const Widths& widths) {
 
 /// What a map of these cells sums up to of a point of one square metre, so far east and north of a cell's middle. The
 /// bins, two a width, lie so many of their own steps away from where they lie by default.
-double total_m2(const radar::Radar& radar, Vec2d offset_m, Vec2d bins_shift) {
+double mapped_m2(const radar::Radar& radar, Vec2d offset_m, Vec2d bins_shift) {
   constexpr double half_m = 240.0;
   const double step_m = radar.range_resolution_m / 2.0;
   const double step_rad = radar::antenna_pattern(radar).azimuth().two_way_width_rad() / 2.0;
@@ -71,7 +71,7 @@ double straying(const Widths& widths, Vec2d axis) {
   for (int place = 0; place < places; ++place) {
     for (int shift = 0; shift < shifts; ++shift)
       totals[static_cast<std::size_t>(place)] +=
-          total_m2(radar, axis * (cell_m * place / places), axis * (1.0 * shift / shifts)) / shifts;
+          mapped_m2(radar, axis * (cell_m * place / places), axis * (1.0 * shift / shifts)) / shifts;
     mean += totals[static_cast<std::size_t>(place)] / places;
   }
   double square = 0.0;

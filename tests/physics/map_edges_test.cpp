@@ -4,19 +4,18 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "physics/baked_atlas.h"
+#include "physics/image_total.h"
 #include "physics/level_scene.h"
-#include "scratch_folder.h"
 #include "validation/validation_record.h"
 
-#include "sigmascape/atlas/store.h"
-#include "sigmascape/bake/bake.h"
 #include "sigmascape/product/ground_projection.h"
 #include "sigmascape/simulate/simulate.h"
 
 namespace sigmascape::physics_test {
 namespace {
 
-constexpr double gamma = 0.03, elevation_deg = 20.0, side_m = 512.0, distance_m = 5e3;
+constexpr double map_elevation_deg = 20.0, scene_side_m = 512.0, radar_distance_m = 5e3;
 constexpr radar::GroundGrid part{-60, 48, 4.0, 24, 24};
 
 /// Of the outermost cells of the part that one farthest from γ sin ψ, in decibels.
@@ -27,7 +26,7 @@ double worst_at_the_edge_db(const radar::RangeAzimuthImage& image, const scene::
     for (std::size_t column = 0; column < part.columns; ++column) {
       if (row > 0 && row + 1 < part.rows && column > 0 && column + 1 < part.columns) continue;
       const double error_db = db_from_linear(static_cast<double>(map.sigma0(column, row).vv) /
-                                             (gamma * std::sin(radians_from_deg(elevation_deg))));
+                                             (ground_gamma * std::sin(radians_from_deg(map_elevation_deg))));
       if (std::abs(error_db) > std::abs(worst_db)) worst_db = error_db;
     }
   }
@@ -35,35 +34,32 @@ double worst_at_the_edge_db(const radar::RangeAzimuthImage& image, const scene::
 }
 
 scene::Scene ground_of_constant_gamma() {
-  return level_scene({.name = "gamma", .model = scatter::ConstantGammaParameters{gamma, {0.1, 0.5}}, .source = {}},
-                     side_m);
+  return level_scene(gamma_ground(), scene_side_m);
 }
 
-atlas::Atlas baked(const scene::Scene& scene, const ScratchFolder& folder) {
+atlas::Atlas baked_at_one_look(const scene::Scene& scene) {
   bake::BakeSettings settings;
   settings.aspects.azimuths_rad = {0.0};
-  settings.aspects.elevations_rad = {radians_from_deg(elevation_deg)};
+  settings.aspects.elevations_rad = {radians_from_deg(map_elevation_deg)};
   settings.patches = {2.0, 256};
   settings.sampling.samples_per_texel = 4;
-  SilentProgress silent;
-  bake::bake(scene, settings, folder.path("atlas"), silent);
-  return atlas::load_atlas(atlas::Store::open(folder.path("atlas")));
+  return baked_atlas(scene, settings);
 }
 
 // A beam half as wide as the part, as wide, and twice.
 TEST(MapEdges, GroundBesideTheMapAnswersInItsOutermostCells) {
   const scene::Scene scene = ground_of_constant_gamma();
-  const ScratchFolder folder;
-  const atlas::Atlas atlas = baked(scene, folder);
+  const atlas::Atlas atlas = baked_at_one_look(scene);
   const trace::SceneGeometry geometry(scene, trace::Footing::Terrain);
 
   for (const double azimuth_deg : {0.0, 205.0}) {
     for (const double beam_m : {48.0, 96.0, 192.0}) {
       radar::Radar radar;
-      radar.position =
-          radar::position_seeing({}, radians_from_deg(azimuth_deg), radians_from_deg(elevation_deg), distance_m);
+      radar.position = radar::position_seeing({}, radians_from_deg(azimuth_deg), radians_from_deg(map_elevation_deg),
+                                              radar_distance_m);
       radar.range_resolution_m = 8.0;
-      radar.beam_width_rad = beam_m * std::numbers::sqrt2 / (distance_m * std::cos(radians_from_deg(elevation_deg)));
+      radar.beam_width_rad =
+          beam_m * std::numbers::sqrt2 / (radar_distance_m * std::cos(radians_from_deg(map_elevation_deg)));
       const auto expect = [&](std::string_view way, const radar::RangeAzimuthImage& image) {
         validation::expect_close(
             {.group = "From scene to map",
@@ -115,44 +111,36 @@ void expect_part_of_the_whole(const atlas::Atlas& atlas, const scene::Scene& sce
 // Ranges change least at the point nearest to the radar, which lies on an edge of the map and not at a corner.
 TEST(MapEdges, OfSteepMapsTheNearestEdgeHasGroundBeside) {
   const scene::Scene scene = ground_of_constant_gamma();
-  const ScratchFolder folder;
   radar::Radar radar;
   constexpr radar::GroundGrid strip{-60, 192, 4.0, 24, 96};
   radar.name = "from 15 m beside its long side and 400 m up";
   radar.position = {strip.extent().west_m - 15.0, strip.extent().centre().y, 400.0};
   radar.range_resolution_m = 2.0;
   radar.beam_width_rad = radians_from_deg(3.0);
-  expect_part_of_the_whole(baked(scene, folder), scene, radar, strip);
+  expect_part_of_the_whole(baked_at_one_look(scene), scene, radar, strip);
 }
 
 TEST(MapEdges, LobesBesideTheAxisHaveTheirGround) {
   const scene::Scene scene = ground_of_constant_gamma();
-  const ScratchFolder folder;
   radar::Radar radar;
   radar.name = "two lobes 70 m beside the axis";
-  radar.position = radar::position_seeing({}, 0.0, radians_from_deg(elevation_deg), distance_m);
+  radar.position = radar::position_seeing({}, 0.0, radians_from_deg(map_elevation_deg), radar_distance_m);
   radar.range_resolution_m = 8.0;
   radar.beam_width_rad = radians_from_deg(0.4);
   radar.antenna.azimuth = radar::TabulatedBeam{
       {{-4.0, 1e-4}, {-3.0, 1e-2}, {-2.0, 1.0}, {-1.0, 1e-2}, {1.0, 1e-2}, {2.0, 1.0}, {3.0, 1e-2}, {4.0, 1e-4}}};
-  expect_part_of_the_whole(baked(scene, folder), scene, radar, part);
+  expect_part_of_the_whole(baked_at_one_look(scene), scene, radar, part);
 }
 
 /// A plane about the origin that falls towards the north.
 scene::Scene slope_of_constant_gamma(double slope_deg) {
   scene::Scene scene = ground_of_constant_gamma();
-  const auto rise_m = static_cast<float>(0.5 * side_m * std::tan(radians_from_deg(slope_deg)));
+  const auto rise_m = static_cast<float>(0.5 * scene_side_m * std::tan(radians_from_deg(slope_deg)));
   for (const std::size_t column : {0U, 1U}) {
     scene.terrain.height_m(column, 0) = -rise_m;
     scene.terrain.height_m(column, 1) = rise_m;
   }
   return scene;
-}
-
-double total_m2(const radar::RangeAzimuthImage& image) {
-  double sum_m2 = 0.0;
-  for (const radar::Channels& bin : image.rcs_m2.values()) sum_m2 += static_cast<double>(bin.vv);
-  return sum_m2;
 }
 
 // Traced terrain goes on level beyond its edges, for walls to stand before, and is not of the scene: beside a slope it
@@ -173,8 +161,8 @@ TEST(MapEdges, NothingAnswersFromBesideTheScene) {
         {.group = "From scene to map",
          .name = fmt::format("power of all of a slope of {:g}° traced from {:g}°", slope_deg, seen_from_deg),
          .expected = 0.0,
-         .measured = db_from_linear(total_m2(image) /
-                                    (gamma * side_m * side_m * (std::sin(psi) + std::cos(psi) * std::tan(tilt)))),
+         .measured = db_from_linear(total_vv_m2(image) / (ground_gamma * scene_side_m * scene_side_m *
+                                                          (std::sin(psi) + std::cos(psi) * std::tan(tilt)))),
          .tolerance = 0.03,
          .unit = "dB over γ sin of the grazing angle, times the true area",
          .source = "definition of constant gamma"});

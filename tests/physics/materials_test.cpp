@@ -1,9 +1,9 @@
 #include <algorithm>
-#include <cmath>
 #include <complex>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "physics/normal_reflectivity.h"
 #include "validation/validation_record.h"
 
 #include "sigmascape/base/error.h"
@@ -17,11 +17,6 @@ namespace {
 std::complex<double> permittivity_of(const char* material, double frequency_hz) {
   const auto& model = std::get<scatter::CookTorranceParameters>(scatter::library_material(material).model);
   return model.permittivity.relative_at(frequency_hz);
-}
-
-double normal_reflectivity(const char* material, double frequency_hz) {
-  const std::complex<double> root = std::sqrt(permittivity_of(material, frequency_hz));
-  return std::norm((1.0 - root) / (1.0 + root));
 }
 
 struct Reflectivity {
@@ -69,7 +64,7 @@ TEST(Materials, NormalReflectivity) {
     validation::expect_close({.group = "Materials",
                               .name = fmt::format("{}, |R(0)|² at {} GHz", row.material, row.frequency_hz / 1e9),
                               .expected = row.expected,
-                              .measured = normal_reflectivity(row.material, row.frequency_hz),
+                              .measured = normal_reflectivity(permittivity_of(row.material, row.frequency_hz)),
                               .tolerance = 6e-5,
                               .unit = "1",
                               .source = "constants of the source evaluated independently"});

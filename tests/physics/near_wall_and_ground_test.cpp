@@ -14,7 +14,7 @@ namespace {
 using Complex = std::complex<double>;
 
 /// So near that wall and ground are seen at angles and ranges of their own in every place.
-constexpr Vec3d radar{7.0, -30.0, 22.0};
+constexpr Vec3d near_radar{7.0, -30.0, 22.0};
 constexpr double side_m = 10.0;  // of an upright wall and of the square of ground before it, which meet at y = 0
 constexpr scatter::Depolarization depolarization{0.3, 0.4};
 
@@ -65,7 +65,7 @@ Wave scattered(const Wave& in, double hh_sign, double hv_turn) {
 ///
 /// over places on both by the midpoint rule, and over the phases of both exactly: powers are of first order in each, so
 /// that three turns have the mean of all. No tracer and no surface of the program has a part in this.
-Received integrated() {
+Received received_by_integral() {
   constexpr int steps = 16, points = steps * steps * steps * steps;
   constexpr int turns = 3;
   Received sum;
@@ -83,8 +83,9 @@ Received integrated() {
         ground{wall_x + aside_m, -from_edge_m * std::cos(angle), 0.0};
     const double d2 = from_edge_m * from_edge_m + aside_m * aside_m;
     const double areas_m4 = side_m * 0.5 * pi * most_m * from_edge_m * (high - low) * d2 / from_edge_m;
-    const double wall_m = length(radar - wall), ground_m = length(radar - ground), between_m = std::sqrt(d2);
-    const Vec3d to_wall = normalized(wall - radar), down = normalized(ground - wall), back = normalized(radar - ground);
+    const double wall_m = length(near_radar - wall), ground_m = length(near_radar - ground), between_m = std::sqrt(d2);
+    const Vec3d to_wall = normalized(wall - near_radar), down = normalized(ground - wall),
+                back = normalized(near_radar - ground);
     const double cosines = to_wall.y * -down.y * -down.z * back.z;
     const double weight = 4.0 * pi * cosines / (wall_m * wall_m * ground_m * ground_m * d2) * areas_m4;
     // The antenna's own basis is that of the wave which it would send to the ground.
@@ -105,7 +106,7 @@ Received integrated() {
       for (std::size_t channel = 0; channel < 4; ++channel)
         powers[channel] += drawn[channel] * weight / (4.0 * turns * turns * points);
     }
-    const auto azimuth = [](Vec3d place) { return std::atan2(place.x - radar.x, place.y - radar.y); };
+    const auto azimuth = [](Vec3d place) { return std::atan2(place.x - near_radar.x, place.y - near_radar.y); };
     sum.add(powers, 0.5 * (wall_m + between_m + ground_m), 0.5 * (azimuth(wall) + azimuth(ground)));
   }
   sum.take_means();
@@ -113,7 +114,7 @@ Received integrated() {
 }
 
 /// By number of bounces, less one.
-std::array<Received, 2> traced(std::uint32_t samples) {
+std::array<Received, 2> received_by_tracer(std::uint32_t samples) {
   const scatter::Material white{
       .name = "white", .model = scatter::LambertParameters{1.0, depolarization}, .source = {}};
   scatter::Material black = white;
@@ -125,7 +126,7 @@ std::array<Received, 2> traced(std::uint32_t samples) {
   scene.ground.material = Array2D<scene::MaterialIndex>(3, 3, scene.material_index(black));
   scene.ground.material(1, 1) = scene.material_index(white);
   const trace::SceneGeometry geometry(scene, trace::Footing::LevelPlane);
-  const auto viewpoint = trace::Viewpoint::located(radar);
+  const auto viewpoint = trace::Viewpoint::located(near_radar);
   const trace::PathTracer tracer(geometry, trace::surface_models(scene, frequency_hz), viewpoint, {.max_bounces = 2},
                                  1);
   // The ground before the wall and all that the wall hides.
@@ -155,7 +156,7 @@ void expect_close(const std::string& what, double expected, double measured, dou
 }
 
 TEST(NearWallAndGround, TwoBouncesAreTheIntegralOverBoth) {
-  const Received expected = integrated(), measured = traced(192)[1];
+  const Received expected = received_by_integral(), measured = received_by_tracer(192)[1];
   const auto expect_power = [](const char* channel, double expected_power, double measured_power, double part) {
     constexpr double scale = 1e6;
     expect_close(channel, scale * expected_power, scale * measured_power, part * scale * std::abs(expected_power),
@@ -176,13 +177,15 @@ TEST(NearWallAndGround, WhatComesStraightBackIsTheIntegralOverEither) {
   for (int i = 0; i < steps; ++i) {
     for (int j = 0; j < steps; ++j) {
       const double across = side_m * ((i + 0.5) / steps - 0.5), along = side_m * (j + 0.5) / steps;
-      const Vec3d from_wall = radar - Vec3d{across, 0.0, along}, from_ground = radar - Vec3d{across, -along, 0.0};
+      const Vec3d from_wall = near_radar - Vec3d{across, 0.0, along},
+                  from_ground = near_radar - Vec3d{across, -along, 0.0};
       sum += std::pow(from_wall.y, 2) / std::pow(length(from_wall), 6) +
              std::pow(from_ground.z, 2) / std::pow(length(from_ground), 6);
     }
   }
   const double expected = 4.0 / (1.0 + depolarization.cross_ratio) * sum * std::pow(side_m / steps, 2);
-  expect_close("straight back, VV", 1e6 * expected, 1e6 * traced(8)[0].vv, 1e6 * 0.002 * expected, "10⁻⁶/m²");
+  expect_close("straight back, VV", 1e6 * expected, 1e6 * received_by_tracer(8)[0].vv, 1e6 * 0.002 * expected,
+               "10⁻⁶/m²");
 }
 
 }  // namespace

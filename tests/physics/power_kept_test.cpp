@@ -16,7 +16,7 @@
 namespace sigmascape::physics_test {
 namespace {
 
-constexpr const char* group = "Power, kept";
+constexpr const char* power_kept_group = "Power, kept";
 constexpr std::array channel_names{"VV", "HH", "HV", "Re VV·HH*"};
 using Sums = std::array<double, radar::Channels::count>;
 
@@ -26,7 +26,7 @@ Sums as_sums(const radar::Channels& c) {
 }
 
 void expect_relative(const std::string& name, double expected, double measured, double tolerance, const char* source) {
-  validation::expect_close({.group = group,
+  validation::expect_close({.group = power_kept_group,
                             .name = name,
                             .expected = 0.0,
                             .measured = measured / expected - 1.0,
@@ -118,8 +118,8 @@ scene::Scene boxes_across_seams(double patch_m) {
 }
 
 /// Level 0 of a whole bake in one array.
-Array2D<radar::Channels> baked(const scene::Scene& scene, const bake::BakeSettings& settings,
-                               const std::filesystem::path& folder) {
+Array2D<radar::Channels> baked_texels(const scene::Scene& scene, const bake::BakeSettings& settings,
+                                      const std::filesystem::path& folder) {
   SilentProgress silent;
   bake::bake(scene, settings, folder, silent);
   const auto store = atlas::Store::open(folder);
@@ -152,9 +152,9 @@ TwoBakes both_ways(int max_bounces) {
   const ScratchFolder folder;
   TwoBakes bakes;
   settings.patches = {1.0, 1024};
-  bakes.one = baked(scene, settings, folder.path("one"));
+  bakes.one = baked_texels(scene, settings, folder.path("one"));
   settings.patches = {1.0, 256};
-  bakes.mosaic = baked(scene, settings, folder.path("mosaic"));
+  bakes.mosaic = baked_texels(scene, settings, folder.path("mosaic"));
   return bakes;
 }
 
@@ -168,7 +168,7 @@ TEST(PowerKept, AMosaicOfSixteenPatchesIsOneBakeTexelByTexel) {
                  b = static_cast<double>(bakes.mosaic.values()[i].vv);
     if (std::abs(a - b) > 1e-3 * std::max(a, b)) ++differing;
   }
-  validation::expect_at_most({.group = group,
+  validation::expect_at_most({.group = power_kept_group,
                               .name = "4 × 4 patches against one, single bounces, part of texels that differ by 0.1 %",
                               .limit = 1e-4,
                               .measured = static_cast<double>(differing) / static_cast<double>(bakes.one.size()),
@@ -206,7 +206,7 @@ TEST(PowerKept, AMosaicOfSixteenPatchesIsOneBakeAtItsSeams) {
   }
   for (std::size_t c = 0; c < 3; ++c) {
     validation::expect_close(
-        {.group = group,
+        {.group = power_kept_group,
          .name = fmt::format("4 × 4 patches against one, squares of {} m astride the seams, worst, {}", side,
                              channel_names[c]),
          .expected = 0.0,

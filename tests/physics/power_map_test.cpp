@@ -12,7 +12,7 @@
 namespace sigmascape {
 namespace {
 
-constexpr double sigma0 = 0.02;
+constexpr double even_sigma0 = 0.02;
 
 radar::Radar mapper() {
   radar::Radar radar;
@@ -46,7 +46,7 @@ radar::RangeAzimuthImage image_of_even_ground(const radar::Radar& radar, double 
   image.rcs_m2 = Array2D<radar::Channels>(image.grid.azimuths, image.grid.ranges);
   for (std::size_t row = 0; row < image.grid.ranges; ++row) {
     const double middle_m = image.grid.first_range_m + (static_cast<double>(row) + 0.5) * step_m;
-    const auto rcs = static_cast<float>(sigma0 * middle_m * step_m * step_rad);
+    const auto rcs = static_cast<float>(even_sigma0 * middle_m * step_m * step_rad);
     for (std::size_t column = 0; column < image.grid.azimuths; ++column)
       image.rcs_m2(column, row) = {rcs, 0.5F * rcs, 0.1F * rcs, 0.7F * rcs};
   }
@@ -85,7 +85,7 @@ TEST(PowerMap, OfEvenGroundIsTheRadarEquationInEveryCell) {
       const Vec2d place = grid.centre_of(column, row);
       const double range_m = length(Vec3d{place.x, place.y, 0.0} - radar.position);
       const double area_m2 = range_m * pulse_width_m * beam_width_rad;
-      const double expected_w = 25e3 * gain * gain * wavelength_m * wavelength_m * sigma0 * area_m2 * compression /
+      const double expected_w = 25e3 * gain * gain * wavelength_m * wavelength_m * even_sigma0 * area_m2 * compression /
                                 (std::pow(4.0 * pi, 3.0) * std::pow(range_m, 4.0) * losses);
       const radar::Channels& cell = map.power_w(column, row);
       const double error_db = db_from_linear(static_cast<double>(cell.vv) / expected_w);

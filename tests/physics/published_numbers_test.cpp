@@ -6,6 +6,7 @@
 #include <string>
 
 #include "physics/conducting_facets.h"
+#include "physics/facet_distributions.h"
 #include "physics/level_scene.h"
 #include "physics/two_surface_integral.h"
 #include "validation/validation_record.h"
@@ -15,9 +16,6 @@
 
 namespace sigmascape::physics_test {
 namespace {
-
-constexpr auto Beckmann = MicrofacetDistribution::Beckmann;
-constexpr auto Ggx = MicrofacetDistribution::Ggx;
 
 /// A line of a list of published or separately computed numbers, and how the program is asked for it.
 struct Row {

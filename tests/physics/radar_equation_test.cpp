@@ -12,7 +12,7 @@
 namespace sigmascape::radar {
 namespace {
 
-void expect_db(const char* name, double expected_db, double measured_db, const char* source) {
+void expect_budget_db(const char* name, double expected_db, double measured_db, const char* source) {
   validation::expect_close({.group = "Radar equation",
                             .name = name,
                             .expected = expected_db,
@@ -34,8 +34,8 @@ Radar round_numbers() {
 
 // By hand in decibels: 40 + 60 − 30.463 + 10 − 32.976 − 160 − 5 dBW.
 TEST(RadarEquation, TenSquareMetresAtTenKilometres) {
-  expect_db("received power, 10 m² at 10 km", 40.0 + 60.0 - 30.463 + 10.0 - 32.976 - 160.0 - 5.0,
-            db_from_linear(received_power_w(round_numbers(), 10.0, 10e3)), "decibel budget");
+  expect_budget_db("received power, 10 m² at 10 km", 40.0 + 60.0 - 30.463 + 10.0 - 32.976 - 160.0 - 5.0,
+                   db_from_linear(received_power_w(round_numbers(), 10.0, 10e3)), "decibel budget");
 }
 
 TEST(RadarEquation, AirTakesItsDecibelsOnBothWays) {
@@ -47,7 +47,7 @@ TEST(RadarEquation, AirTakesItsDecibelsOnBothWays) {
 
 // −174 dBm/Hz: k T₀ = 4.00e-21 J.
 TEST(Noise, OfOneMegahertzIsMinus114DecibelMilliwatts) {
-  expect_db("k T₀ B, 1 MHz", -113.975, db_from_linear(thermal_noise_w(1e6, 1.0) * 1e3), "IEEE, T₀ = 290 K");
+  expect_budget_db("k T₀ B, 1 MHz", -113.975, db_from_linear(thermal_noise_w(1e6, 1.0) * 1e3), "IEEE, T₀ = 290 K");
   EXPECT_DOUBLE_EQ(thermal_noise_w(2e6, 4.0), 8.0 * thermal_noise_w(1e6, 1.0));
 }
 
@@ -63,8 +63,8 @@ TEST(SignalToNoise, DependsOnTheEnergyOfThePulse) {
         received_power_w(radar, 10.0, 10e3) * 10e-6 / (1.380649e-23 * 290.0 * linear_from_db(4.0));
     EXPECT_NEAR(signal_to_noise(radar, 10.0, 10e3) / energy_ratio, 1.0, 1e-9);
     radar.waveform.window = {.shape = WindowShape::Hamming};
-    expect_db("loss of the Hamming window", -1.34, db_from_linear(signal_to_noise(radar, 10.0, 10e3) / energy_ratio),
-              "Harris, Proc. IEEE 66 (1978)");
+    expect_budget_db("loss of the Hamming window", -1.34,
+                     db_from_linear(signal_to_noise(radar, 10.0, 10e3) / energy_ratio), "Harris, Proc. IEEE 66 (1978)");
   }
 }
 

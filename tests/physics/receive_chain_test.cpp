@@ -66,29 +66,29 @@ radar::RangeAzimuthImage image_of(const radar::Radar& radar, const radar::RangeA
   return receiver.image();
 }
 
-radar::Echo point(double range_m, double rcs_m2, double azimuth_rad = 0.0) {
+radar::Echo point_echo(double range_m, double rcs_m2, double azimuth_rad = 0.0) {
   const auto rcs = static_cast<float>(rcs_m2);
   return {.range_m = range_m, .cross = azimuth_rad, .rcs_m2 = {rcs, rcs, 0.0F, rcs}, .bounces = 1};
 }
 
-double brightest(const Array2D<float>& bins) {
+double greatest(const Array2D<float>& bins) {
   return static_cast<double>(*std::ranges::max_element(bins.values()));
 }
 
 TEST(ReceivedPower, OfAPointIsTheRadarEquation) {
   const radar::Radar radar = plain_radar();
   const auto grid = bins_about(radar, 20e3);
-  const auto received = received_power(radar, image_of(radar, grid, {point(20e3, 10.0)}), radar::Polarization::VV);
+  const auto received = received_power(radar, image_of(radar, grid, {point_echo(20e3, 10.0)}), radar::Polarization::VV);
   const double expected = radar::received_power_w(radar, 10.0, 20e3) * radar::compression_gain(radar);
-  expect_case("peak power of 10 m² at 20 km", db_from_linear(expected), db_from_linear(brightest(received.signal_w)),
+  expect_case("peak power of 10 m² at 20 km", db_from_linear(expected), db_from_linear(greatest(received.signal_w)),
               0.1, "dBW", "radar equation");
   expect_case("its signal-to-noise ratio", db_from_linear(radar::signal_to_noise(radar, 10.0, 20e3)),
-              db_from_linear(brightest(received.signal_w) / received.noise_w), 0.1, "dB", "radar equation");
+              db_from_linear(greatest(received.signal_w) / received.noise_w), 0.1, "dB", "radar equation");
 }
 
 TEST(ReceivedPower, OfTheSumOfPolarizationsNoReceiverHas) {
   const radar::Radar radar = plain_radar();
-  const auto image = image_of(radar, bins_about(radar, 20e3), {point(20e3, 10.0)});
+  const auto image = image_of(radar, bins_about(radar, 20e3), {point_echo(20e3, 10.0)});
   EXPECT_THROW((void)received_power(radar, image, radar::Polarization::Sum), Error);
 }
 
@@ -108,7 +108,7 @@ TEST(ReceivedPower, OfATargetBetweenBinsIsTheRadarEquationAtItsOffset) {
   const double bandwidth_hz = radar::bandwidth_of(radar.range_resolution_m, radar.waveform.window);
   for (const auto& [along, across] : {std::pair(0.0, 0.0), {0.25, 0.0}, {0.5, 0.0}, {0.0, 0.5}, {-0.5, 0.5}}) {
     const double offset_m = along * grid.range_step_m, offset_rad = across * grid.azimuth_step_rad;
-    const radar::Echo target = point(20e3 + offset_m, 10.0, offset_rad);
+    const radar::Echo target = point_echo(20e3 + offset_m, 10.0, offset_rad);
     radar::RangeAzimuthImage image{grid, radar.position, Array2D<radar::Channels>(grid.azimuths, grid.ranges)};
     add_echoes(image, radar, {&target, 1});
     const auto received = received_power(radar, image, radar::Polarization::VV);
@@ -134,9 +134,10 @@ TEST(ReceivedPower, OfABeamThatLooksAsideAndOfOneWithANullOnItsAxis) {
     radar::Radar radar = plain_radar();
     radar.antenna.azimuth = beam;
     const auto grid = bins_about(radar, 20e3, 60, 8.0);
-    const auto received = received_power(radar, image_of(radar, grid, {point(20e3, 10.0)}), radar::Polarization::VV);
+    const auto received =
+        received_power(radar, image_of(radar, grid, {point_echo(20e3, 10.0)}), radar::Polarization::VV);
     expect_case(name, db_from_linear(radar::received_power_w(radar, 10.0, 20e3) * radar::compression_gain(radar)),
-                db_from_linear(brightest(received.signal_w)), 0.1, "dBW", "radar equation");
+                db_from_linear(greatest(received.signal_w)), 0.1, "dBW", "radar equation");
   }
 }
 
@@ -149,7 +150,7 @@ TEST(ReceivedPower, OfABeamThatLooksToTheRightIsToTheLeftOfThePoint) {
   radar::Radar radar = plain_radar();
   radar.antenna.azimuth = aside;
   const auto grid = bins_about(radar, 20e3, 60, 8.0);
-  const auto image = image_of(radar, grid, {point(20e3, 10.0)});
+  const auto image = image_of(radar, grid, {point_echo(20e3, 10.0)});
   std::size_t best = 0;
   for (std::size_t column = 0; column < grid.azimuths; ++column) {
     if (image.rcs_m2(column, 60).vv > image.rcs_m2(best, 60).vv) best = column;
@@ -167,9 +168,9 @@ TEST(ReceivedPower, FallsWithTheFourthPowerOfRange) {
   const radar::Radar radar = plain_radar();
   double nearest = 0.0;
   for (const double range_m : {2e3, 6e3, 20e3, 60e3, 200e3}) {
-    const auto received = received_power(radar, image_of(radar, bins_about(radar, range_m), {point(range_m, 1.0)}),
+    const auto received = received_power(radar, image_of(radar, bins_about(radar, range_m), {point_echo(range_m, 1.0)}),
                                          radar::Polarization::VV);
-    const double power_db = db_from_linear(brightest(received.signal_w));
+    const double power_db = db_from_linear(greatest(received.signal_w));
     if (nearest == 0.0) nearest = power_db;
     expect_case("power over range, relative to 2 km", -40.0 * std::log10(range_m / 2e3), power_db - nearest, 0.01, "dB",
                 "r⁻⁴");
@@ -215,7 +216,7 @@ TEST(RangeAzimuthReceiver, ShowsTheSideLobesOfPulseAndBeam) {
   radar.antenna.azimuth = radar::ApertureBeam{{.shape = radar::WindowShape::Rectangular}};
   constexpr double oversampling = 16.0;
   constexpr std::size_t count = 60;
-  const auto image = image_of(radar, bins_about(radar, 20e3, count, oversampling), {point(20e3, 1.0)});
+  const auto image = image_of(radar, bins_about(radar, 20e3, count, oversampling), {point_echo(20e3, 1.0)});
   const auto peak = static_cast<double>(image.rcs_m2(count, count).vv);
   double in_range = 0.0, in_azimuth = 0.0;
   for (std::size_t k = count + 20; k <= 2 * count; ++k) {
@@ -232,7 +233,7 @@ TEST(RangeAzimuthReceiver, PlacesAPointWithinATenthOfACell) {
   const auto grid = bins_about(radar, 100e3);
   for (const double part : {-0.45, -0.2, 0.0, 0.1, 0.33, 0.5}) {
     const double range_m = 100e3 + part * radar.range_resolution_m, azimuth = part * radar.beam_width_rad;
-    const auto image = image_of(radar, grid, {point(range_m, 1.0, azimuth)});
+    const auto image = image_of(radar, grid, {point_echo(range_m, 1.0, azimuth)});
     double power = 0.0, range_sum = 0.0, azimuth_sum = 0.0;
     for (std::size_t row = 0; row < grid.ranges; ++row) {
       for (std::size_t column = 0; column < grid.azimuths; ++column) {
@@ -253,10 +254,10 @@ TEST(RangeAzimuthReceiver, FoldsEchoesFromBeyondTheUnambiguousRange) {
   radar.waveform.pulse_repetition_hz = 10e3;
   const double fold_m = radar::unambiguous_range_m(10e3);
   const auto grid = bins_about(radar, 8e3);
-  const auto direct = image_of(radar, grid, {point(8e3, 1.0)});
+  const auto direct = image_of(radar, grid, {point_echo(8e3, 1.0)});
   for (const int times : {1, 2, 3}) {
     const double range_m = 8e3 + times * fold_m;
-    const auto folded = image_of(radar, grid, {point(range_m, std::pow(range_m / 8e3, 4.0))});
+    const auto folded = image_of(radar, grid, {point_echo(range_m, std::pow(range_m / 8e3, 4.0))});
     for (std::size_t i = 0; i < direct.rcs_m2.size(); ++i)
       ASSERT_NEAR(folded.rcs_m2.values()[i].vv, direct.rcs_m2.values()[i].vv, 2e-6F) << times;
   }
@@ -276,8 +277,8 @@ TEST(RangeAzimuthReceiver, KnowsNothingOutsideTheGate) {
       EXPECT_EQ(std::isnan(image.rcs_m2(0, row).vv), !is_open) << row;
     }
   };
-  is_known(image_of(radar, grid, {point(8e3, 1.0)}), first_m, last_m);
-  EXPECT_EQ(std::ranges::max(image_of(radar, grid, {point(last_m + 1.0, 1.0)}).rcs_m2.values(), {},
+  is_known(image_of(radar, grid, {point_echo(8e3, 1.0)}), first_m, last_m);
+  EXPECT_EQ(std::ranges::max(image_of(radar, grid, {point_echo(last_m + 1.0, 1.0)}).rcs_m2.values(), {},
                              [](const auto& bin) { return std::isnan(bin.vv) ? -1.0F : bin.vv; })
                 .vv,
             0.0F);
@@ -296,7 +297,7 @@ TEST(RangeAzimuthReceiver, SeesAlongAFixedBeam) {
     const double axis =
         grid.first_azimuth_rad + (0.5 * static_cast<double>(grid.azimuths) + part) * grid.azimuth_step_rad;
     radar.scan = {.kind = radar::ScanKind::Fixed, .azimuth_rad = axis};
-    const auto image = image_of(radar, grid, {point(20e3, 1.0)});
+    const auto image = image_of(radar, grid, {point_echo(20e3, 1.0)});
     const double column = (axis - grid.first_azimuth_rad) / grid.azimuth_step_rad - 0.5;
     const auto left = static_cast<std::size_t>(std::floor(column + 1e-9));
     EXPECT_FALSE(std::isnan(image.rcs_m2(left, 0).vv)) << part;
@@ -312,7 +313,7 @@ TEST(RangeAzimuthReceiver, WeightsByTheElevationPatternTwice) {
   radar.antenna.elevation_width_rad = radians_from_deg(4.0);
   radar.antenna.tilt_rad = radians_from_deg(-10.0);
   const auto total = [&](double depression_deg) {
-    radar::Echo echo = point(20e3, 1.0);
+    radar::Echo echo = point_echo(20e3, 1.0);
     echo.sin_depression = static_cast<float>(std::sin(radians_from_deg(depression_deg)));
     RangeAzimuthReceiver receiver(radar, bins_about(radar, 20e3));
     receiver.add({&echo, 1});
@@ -331,7 +332,7 @@ TEST(RangeAzimuthReceiver, IsBlindWhereTheScanNeverComes) {
                 .sector_width_rad = 4.0 * radar.beam_width_rad,
                 .rate_rad_per_s = 1.0};
   const auto grid = bins_about(radar, 20e3);
-  const auto image = image_of(radar, grid, {point(20e3, 1.0)});
+  const auto image = image_of(radar, grid, {point_echo(20e3, 1.0)});
   for (std::size_t column = 0; column < grid.azimuths; ++column) {
     const double azimuth = grid.first_azimuth_rad + (static_cast<double>(column) + 0.5) * grid.azimuth_step_rad;
     const bool inside = std::abs(azimuth) <= 2.0 * radar.beam_width_rad + grid.azimuth_step_rad + 1e-12;
@@ -382,7 +383,7 @@ TEST(DetectedImage, IsTheSameForAnyNumberOfThreads) {
   radar::Radar radar = plain_radar();
   radar.receiver.analog_to_digital = radar::AnalogToDigital{.bits = 10, .full_scale_v = 1e-5};
   const auto grid = bins_about(radar, 20e3);
-  const auto power = received_power(radar, image_of(radar, grid, {point(20e3, 10.0)}), radar::Polarization::VV);
+  const auto power = received_power(radar, image_of(radar, grid, {point_echo(20e3, 10.0)}), radar::Polarization::VV);
   const auto one = detected_image(radar, power, 5, 1);
   for (const unsigned threads : {2U, 3U, 7U}) {
     const auto many = detected_image(radar, power, 5, threads);
@@ -405,7 +406,7 @@ std::vector<double> ground_profile_db(const radar::Radar& radar, double height_m
     const double area_m2 = range_m * 0.5 * grid.range_step_m * grid.azimuth_step_rad;
     for (std::size_t column = 0; column < grid.azimuths; ++column) {
       const double azimuth = grid.first_azimuth_rad + (static_cast<double>(column) + 0.5) * grid.azimuth_step_rad;
-      echoes.push_back(point(range_m, 0.1 * height_m / range_m * area_m2, azimuth));
+      echoes.push_back(point_echo(range_m, 0.1 * height_m / range_m * area_m2, azimuth));
     }
   }
   auto received = received_power(radar, image_of(radar, grid, echoes), radar::Polarization::VV);

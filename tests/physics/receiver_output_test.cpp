@@ -9,6 +9,7 @@
 #include <numbers>
 #include <vector>
 
+#include "physics/level_terrain.h"
 #include "validation/validation_record.h"
 
 #include "sigmascape/base/units.h"
@@ -26,14 +27,10 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
-constexpr std::string_view group = "Receiver";
-
-terrain::HeightField level_ground() {
-  return {.west_m = -1000.0, .north_m = 1000.0, .spacing_m = 50.0, .height_m = Array2D<float>(41, 41, 0.0F)};
-}
+constexpr std::string_view receiver_group = "Receiver";
 
 /// Looks north from the south, 20° down on the middle of the terrain, and flies east.
-radar::Radar looking_north() {
+radar::Radar spotlight_looking_north() {
   radar::Radar radar;
   radar.position = radar::position_seeing({}, pi, radians_from_deg(20.0), 4000.0);
   radar.velocity_mps = {100.0, 0.0, 0.0};
@@ -79,15 +76,15 @@ std::array<double, 2> mean_square_difference(const radar::PhaseHistory& a, const
 }
 
 TEST(ReceiverOutput, HasATwelfthOfAStepSquaredOfRoundingNoiseInIAndInQ) {
-  radar::Radar radar = looking_north();
+  radar::Radar radar = spotlight_looking_north();
   const auto before = noise_of(radar);
   radar.receiver.analog_to_digital = radar::AnalogToDigital{.bits = 5, .full_scale_v = 16.0 * noise_v(radar)};
   const auto after = output_of(before, radar);
   const double step_v = noise_v(radar);
   const auto [in_i, in_q] = mean_square_difference(after, before);
-  validation::expect_close({group, "rounding noise in I of pulses, over the step squared", 1.0 / 12.0,
+  validation::expect_close({receiver_group, "rounding noise in I of pulses, over the step squared", 1.0 / 12.0,
                             in_i / (step_v * step_v), 0.002, "1", "Δ²/12"});
-  validation::expect_close({group, "rounding noise in Q of pulses, over the step squared", 1.0 / 12.0,
+  validation::expect_close({receiver_group, "rounding noise in Q of pulses, over the step squared", 1.0 / 12.0,
                             in_q / (step_v * step_v), 0.002, "1", "Δ²/12"});
   EXPECT_EQ(after.saturated, 0U);
   for (const auto& sample : after.samples.values())
@@ -96,7 +93,7 @@ TEST(ReceiverOutput, HasATwelfthOfAStepSquaredOfRoundingNoiseInIAndInQ) {
 
 /// Of Gaussian noise of spread s, I lies beyond ±a with the probability erfc(a/√2s), and I or Q with 1 − (1 − p)².
 TEST(ReceiverOutput, IsClippedInIAndInQAtFullScale) {
-  radar::Radar radar = looking_north();
+  radar::Radar radar = spotlight_looking_north();
   const auto before = noise_of(radar);
   const double full_scale_v = 1.5 * noise_v(radar);
   radar.receiver.analog_to_digital = radar::AnalogToDigital{.bits = 14, .full_scale_v = full_scale_v};
@@ -111,7 +108,7 @@ TEST(ReceiverOutput, IsClippedInIAndInQAtFullScale) {
   EXPECT_NEAR(highest, 1.0 - 1.0 / 8192.0, 1e-6) << "the greatest code is one less than half of them";
   EXPECT_NEAR(lowest, -1.0, 1e-6);
   const double part = std::erfc(1.5 / std::numbers::sqrt2), samples = 3.0 * static_cast<double>(after.samples.size());
-  validation::expect_close({group, "clipped part of noise, full scale at 1.5 times its spread in I and Q",
+  validation::expect_close({receiver_group, "clipped part of noise, full scale at 1.5 times its spread in I and Q",
                             1.0 - (1.0 - part) * (1.0 - part), static_cast<double>(after.saturated) / samples, 0.005,
                             "1", "erfc"});
   EXPECT_THAT(receiver::output_warnings(after), ElementsAre(HasSubstr("the converter clips 2")));
@@ -129,8 +126,8 @@ TEST(ReceiverOutput, CountsWhatTheGreatestCodeFallsShortOf) {
 
 /// Even ground is recorded, lowered, and divided by what the file says of it: then each range has what it had.
 TEST(ReceiverOutput, GivesSigma0BackByTheLawThatTheFileTells) {
-  const auto terrain = level_ground();
-  radar::Radar radar = looking_north();
+  const auto terrain = level_terrain();
+  radar::Radar radar = spotlight_looking_north();
   const auto recorded = [&] {
     const simulate::CoherentScene scene{&terrain, [](Vec2d, const radar::Aspect&) {
                                           return radar::Channels{1.0F, 0.5F, 0.1F, 0.0F};
@@ -161,14 +158,15 @@ TEST(ReceiverOutput, GivesSigma0BackByTheLawThatTheFileTells) {
     }
   }
   EXPECT_LT(nearest_gain, 0.8) << "or nothing was lowered";
-  validation::expect_close({group, "power of even ground in pulses, time control divided out, over that without", 0.0,
+  validation::expect_close({receiver_group,
+                            "power of even ground in pulses, time control divided out, over that without", 0.0,
                             db_from_linear(after_w / before_w), 0.001, "dB", "(r/r_full)^n"});
   EXPECT_EQ(numbers.at("noise_power_w"), product::iq_record(plain, radar).numbers.at("noise_power_w"));
 }
 
 /// The control comes first: full scale is that of what it has lowered.
 TEST(ReceiverOutput, IsConvertedBehindTimeControl) {
-  radar::Radar radar = looking_north();
+  radar::Radar radar = spotlight_looking_north();
   const auto before = noise_of(radar);
   radar.receiver.sensitivity_time_control = radar::SensitivityTimeControl{40e3, 4.0};
   radar.receiver.analog_to_digital = radar::AnalogToDigital{.bits = 12, .full_scale_v = 0.2 * noise_v(radar)};
@@ -182,7 +180,7 @@ TEST(ReceiverOutput, IsConvertedBehindTimeControl) {
 }
 
 TEST(ReceiverOutput, IsTheSameForAnyNumberOfThreadsAndWithoutKeysWhatWentIn) {
-  radar::Radar radar = looking_north();
+  radar::Radar radar = spotlight_looking_north();
   const auto before = noise_of(radar);
   EXPECT_TRUE(std::ranges::equal(output_of(before, radar).samples.values(), before.samples.values()));
   radar.receiver.sensitivity_time_control = radar::SensitivityTimeControl{4e3, 3.0};
@@ -195,7 +193,7 @@ TEST(ReceiverOutput, IsTheSameForAnyNumberOfThreadsAndWithoutKeysWhatWentIn) {
 
 /// The default gain of 0 dB leaves microvolts, of which a converter of ±1 V makes zeros.
 TEST(ReceiverOutput, IsWarnedOfWhereNothingIsLeft) {
-  radar::Radar radar = looking_north();
+  radar::Radar radar = spotlight_looking_north();
   radar.receiver.analog_to_digital = radar::AnalogToDigital{.bits = 12, .full_scale_v = 1.0};
   const auto history = output_of(noise_of(radar), radar);
   EXPECT_THAT(receiver::output_warnings(history),

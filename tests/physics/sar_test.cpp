@@ -11,9 +11,9 @@
 namespace sigmascape {
 namespace {
 
-constexpr std::string_view group = "Phase history";
+constexpr std::string_view phase_history_group = "Phase history";
 
-radar::Radar even_band_radar(double range_resolution_m) {
+radar::Radar radar_of_resolution(double range_resolution_m) {
   radar::Radar radar;
   radar.frequency_hz = 10e9;
   radar.range_resolution_m = range_resolution_m;
@@ -80,7 +80,7 @@ Cut cut_along(const Image& image, double cell_m) {
 }
 
 TEST(PhaseHistory, focuses_to_points_under_a_back_projector) {
-  const auto radar = even_band_radar(1.0);
+  const auto radar = radar_of_resolution(1.0);
   const Vec3d centre{0.0, 0.0, 0.0};
   const std::vector<radar::Scatterer> points{point_at(centre), point_at({37.3, -21.7, 3.2})};
   // Broadside and 35° ahead of it.
@@ -105,23 +105,24 @@ TEST(PhaseHistory, focuses_to_points_under_a_back_projector) {
       const std::string name = squint_deg == 0.0 ? ", broadside" : ", squint 35°";
       constexpr std::string_view sinc = "sinc², even band and aperture";
       validation::expect_close(
-          {group, "range error" + name, 0.0, in_range.peak_m / range_cell, 0.1, "cells", "geometry"});
+          {phase_history_group, "range error" + name, 0.0, in_range.peak_m / range_cell, 0.1, "cells", "geometry"});
+      validation::expect_close({phase_history_group, "cross-range error" + name, 0.0, in_azimuth.peak_m / azimuth_cell,
+                                0.1, "cells", "geometry"});
       validation::expect_close(
-          {group, "cross-range error" + name, 0.0, in_azimuth.peak_m / azimuth_cell, 0.1, "cells", "geometry"});
-      validation::expect_close({group, "range side lobe" + name, -13.26, in_range.side_lobe_db, 0.1, "dB", sinc});
+          {phase_history_group, "range side lobe" + name, -13.26, in_range.side_lobe_db, 0.1, "dB", sinc});
       validation::expect_close(
-          {group, "cross-range side lobe" + name, -13.26, in_azimuth.side_lobe_db, 0.1, "dB", sinc});
-      validation::expect_close({group, "range width" + name, 1.0,
+          {phase_history_group, "cross-range side lobe" + name, -13.26, in_azimuth.side_lobe_db, 0.1, "dB", sinc});
+      validation::expect_close({phase_history_group, "range width" + name, 1.0,
                                 in_range.half_power_width_m / radar.range_resolution_m, 0.02, "of nominal", sinc});
-      validation::expect_close({group, "cross-range width" + name, 0.886, in_azimuth.half_power_width_m / azimuth_cell,
-                                0.02 * 0.886, "λr/2L", sinc});
+      validation::expect_close({phase_history_group, "cross-range width" + name, 0.886,
+                                in_azimuth.half_power_width_m / azimuth_cell, 0.02 * 0.886, "λr/2L", sinc});
       EXPECT_NEAR(in_range.peak, 1.0, 0.05);
     }
   }
 }
 
 TEST(PhaseHistory, keeps_range_to_a_millimetre_and_phase_to_the_wavelength_at_100_km) {
-  const auto radar = even_band_radar(1.0);
+  const auto radar = radar_of_resolution(1.0);
   const receiver::PulseReceiver pulses(radar, {99'900.0, 100'100.0, 2.0});
   for (const double range_m : {99'990.123, 100'000.0, 100'003.4567}) {
     const std::vector<radar::Scatterer> point{point_at({range_m, 0.0, 0.0})};
@@ -135,16 +136,18 @@ TEST(PhaseHistory, keeps_range_to_a_millimetre_and_phase_to_the_wavelength_at_10
         place = at;
       }
     }
-    validation::expect_close({group, "range at 100 km", 0.0, (place - range_m) * 1e3, 1.0, "mm", "geometry"});
+    validation::expect_close(
+        {phase_history_group, "range at 100 km", 0.0, (place - range_m) * 1e3, 1.0, "mm", "geometry"});
     const double turns = 2.0 * range_m * radar.frequency_hz / speed_of_light_mps;
     const double phase =
         std::arg(interpolated(history, 0, range_m) * std::polar(1.0, 2.0 * pi * std::remainder(turns, 1.0)));
-    validation::expect_close({group, "carrier phase at 100 km", 0.0, deg_from_radians(phase), 0.1, "°", "−4πr/λ"});
+    validation::expect_close(
+        {phase_history_group, "carrier phase at 100 km", 0.0, deg_from_radians(phase), 0.1, "°", "−4πr/λ"});
   }
 }
 
 TEST(PhaseHistory, folds_what_comes_second_time_around) {
-  const auto radar = even_band_radar(5.0);
+  const auto radar = radar_of_resolution(5.0);
   const receiver::PulseTrain train{.count = 1, .repetition_hz = 5000.0};
   const double unambiguous_m = speed_of_light_mps / (2.0 * 5000.0);
   const std::vector<radar::Scatterer> near{point_at({12'345.0, 0.0, 0.0})},
@@ -160,7 +163,7 @@ TEST(PhaseHistory, folds_what_comes_second_time_around) {
 /// Every echo comes once an unambiguous range. In a gate little shorter than that, a point near one end has side lobes
 /// at the other: sinc of the cells to each of its images within the 64 cells about the gate.
 TEST(PhaseHistory, repeats_echoes_around_a_gate_near_the_unambiguous_range) {
-  const auto radar = even_band_radar(15.0);
+  const auto radar = radar_of_resolution(15.0);
   const double repetition_hz = 200e3, unambiguous_m = speed_of_light_mps / (2.0 * repetition_hz);
   const double first_m = 8100.0, last_m = 8100.0 + unambiguous_m - 40.0;
   const receiver::PulseReceiver pulses(radar, {first_m, last_m, 2.0});
@@ -185,12 +188,13 @@ TEST(PhaseHistory, repeats_echoes_around_a_gate_near_the_unambiguous_range) {
       farthest = std::max(farthest, std::abs(off));
     }
   }
-  validation::expect_close({group, "echoes in a gate 40 m shorter than the unambiguous range, greatest error", 0.0,
-                            farthest, 0.02, "of a peak", "sum of sincs"});
+  validation::expect_close({phase_history_group,
+                            "echoes in a gate 40 m shorter than the unambiguous range, greatest error", 0.0, farthest,
+                            0.02, "of a peak", "sum of sincs"});
 }
 
 TEST(PhaseHistory, does_not_depend_on_the_number_of_threads) {
-  const auto radar = even_band_radar(5.0);
+  const auto radar = radar_of_resolution(5.0);
   std::vector<radar::Scatterer> points;
   for (int k = 0; k < 50; ++k) points.push_back(point_at({12'345.0 + 3.7 * k, 1.9 * k, 0.0}));
   const receiver::PulseReceiver pulses(radar, {12'000.0, 13'000.0, 1.2});

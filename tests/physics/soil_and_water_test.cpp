@@ -1,8 +1,8 @@
-#include <cmath>
 #include <complex>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "physics/normal_reflectivity.h"
 #include "validation/validation_record.h"
 
 #include "sigmascape/base/units.h"
@@ -16,11 +16,6 @@ using scatter::SoilPermittivity;
 using scatter::VegetationPermittivity;
 using scatter::WaterPermittivity;
 using Complex = std::complex<double>;
-
-double normal_reflectivity(Complex permittivity) {
-  const Complex root = std::sqrt(permittivity);
-  return std::norm((1.0 - root) / (1.0 + root));
-}
 
 /// Published numbers carry `digits` of half a unit in their last place.
 void expect_permittivity(const std::string& name, const Permittivity& permittivity, double f_ghz, Complex expected,

@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "physics/image_total.h"
+#include "physics/level_terrain.h"
 #include "validation/validation_record.h"
 
 #include "sigmascape/base/units.h"
@@ -26,11 +28,7 @@
 namespace sigmascape {
 namespace {
 
-constexpr std::string_view group = "Targets";
-
-terrain::HeightField level_ground() {
-  return {.west_m = -1000.0, .north_m = 1000.0, .spacing_m = 50.0, .height_m = Array2D<float>(41, 41, 0.0F)};
-}
+constexpr std::string_view targets_group = "Targets";
 
 /// Looks north from the south, 20° down on the middle of the terrain, and flies east.
 radar::Radar looking_north(double range_resolution_m) {
@@ -43,7 +41,7 @@ radar::Radar looking_north(double range_resolution_m) {
   return radar;
 }
 
-render::Reflectivity even(float sigma0) {
+render::Reflectivity even_ground(float sigma0) {
   return [sigma0](Vec2d, const radar::Aspect&) { return radar::Channels{sigma0, sigma0, sigma0 / 10.0F, 0.0F}; };
 }
 
@@ -54,15 +52,9 @@ radar::Target target_of(float rcs_m2, Vec3d position, Vec3d velocity_mps = {}) {
   return target;
 }
 
-double total(const radar::RangeAzimuthImage& image) {
-  double sum = 0.0;
-  for (const radar::Channels& bin : image.rcs_m2.values()) sum += std::isnan(bin.vv) ? 0.0 : bin.vv;
-  return sum;
-}
-
 /// Whatever the bins: from metres to half a kilometre, as the levels of detail have them.
 TEST(Target, of_ten_square_metres_returns_them_at_every_resolution) {
-  const auto terrain = level_ground();
+  const auto terrain = level_terrain();
   const radar::Rectangle area{-400.0, -400.0, 400.0, 400.0};
   for (const double resolution_m : {2.0, 8.0, 32.0, 128.0, 512.0}) {
     auto radar = looking_north(resolution_m);
@@ -73,16 +65,16 @@ TEST(Target, of_ten_square_metres_returns_them_at_every_resolution) {
     const std::vector<radar::Target> targets{target_of(10.0F, {13.0, -27.0, 1.0})};
     simulate::add_targets(image, radar, {terrain}, targets, {});
     validation::expect_close(
-        {group, "10 m² in the power mode, cells of " + std::to_string(static_cast<int>(resolution_m)) + " m", 10.0,
-         db_from_linear(total(image)), 0.1, "dBm²", "weights sum to one"});
+        {targets_group, "10 m² in the power mode, cells of " + std::to_string(static_cast<int>(resolution_m)) + " m",
+         10.0, db_from_linear(total_vv_m2(image)), 0.1, "dBm²", "weights sum to one"});
   }
 }
 
 TEST(Target, of_ten_square_metres_returns_them_in_coherent_modes) {
-  const auto terrain = level_ground();
+  const auto terrain = level_terrain();
   const radar::Rectangle area{-60.0, -60.0, 60.0, 60.0};
   const std::vector<radar::Target> targets{target_of(10.0F, {3.0, -2.0, 1.0})};
-  const simulate::CoherentScene scene{&terrain, even(0.0F), targets};
+  const simulate::CoherentScene scene{&terrain, even_ground(0.0F), targets};
   const auto brightest = [](const Array2D<radar::ComplexChannels>& bins) {
     double best = 0.0;
     for (const auto& bin : bins.values()) best = std::max<double>(best, std::norm(bin.vv));
@@ -99,9 +91,9 @@ TEST(Target, of_ten_square_metres_returns_them_in_coherent_modes) {
                                (2.0 * radar::bandwidth_of(resolution_m, radar.waveform.window) * image.range_m.step) *
                                (static_cast<double>(image.doppler_hz.bins) / 100.0);
     validation::expect_close(
-        {group, "10 m² in a range–Doppler image, cells of " + std::to_string(static_cast<int>(resolution_m)) + " m",
-         10.0, db_from_linear(energy / (bins_a_cell * noise_width * noise_width)), 0.1, "dBm²",
-         "energy of the response"});
+        {targets_group,
+         "10 m² in a range–Doppler image, cells of " + std::to_string(static_cast<int>(resolution_m)) + " m", 10.0,
+         db_from_linear(energy / (bins_a_cell * noise_width * noise_width)), 0.1, "dBm²", "energy of the response"});
     EXPECT_NEAR(db_from_linear(brightest(image.amplitude_m)), 10.0, 1.5);
     const auto strip = simulate::stripmap_image(scene, radar, area, {.along_resolution_m = resolution_m});
     EXPECT_NEAR(db_from_linear(brightest(strip.amplitude_m)), 10.0, 1.5);
@@ -109,12 +101,13 @@ TEST(Target, of_ten_square_metres_returns_them_in_coherent_modes) {
 }
 
 TEST(CoherentGround, returns_sigma0_times_the_area_of_a_cell) {
-  const auto terrain = level_ground();
+  const auto terrain = level_terrain();
   auto radar = looking_north(5.0);
   radar.waveform.window = {.shape = radar::WindowShape::Rectangular};
   const float sigma0 = 0.05F;
-  const auto image = simulate::range_doppler_image({&terrain, even(sigma0)}, radar, {-400.0, -400.0, 400.0, 400.0},
-                                                   {.interval_s = 0.3, .scatterer_spacing_m = 2.0, .seed = 4});
+  const auto image =
+      simulate::range_doppler_image({&terrain, even_ground(sigma0)}, radar, {-400.0, -400.0, 400.0, 400.0},
+                                    {.interval_s = 0.3, .scatterer_spacing_m = 2.0, .seed = 4});
   double mean = 0.0, count = 0.0;
   for (std::size_t row = 0; row < image.range_m.bins; ++row) {
     const double range_m = image.range_m.middle_of(static_cast<double>(row) + 0.5);
@@ -130,19 +123,20 @@ TEST(CoherentGround, returns_sigma0_times_the_area_of_a_cell) {
   // Doppler is that across the flight, so its cell is λr/2vT whatever the grazing angle; c/2B on the ground is longer.
   const double cell_m2 = 5.0 / 0.8859 / std::cos(radians_from_deg(20.0)) *
                          radar::cross_range_resolution_m(8000.0, wavelength_m(10e9), 100.0, 0.3, pi / 2.0);
-  validation::expect_close({group, "mean power of even ground, focused", 0.0, db_from_linear(mean / (sigma0 * cell_m2)),
-                            0.25, "dB", "σ0 · cell area"});
+  validation::expect_close({targets_group, "mean power of even ground, focused", 0.0,
+                            db_from_linear(mean / (sigma0 * cell_m2)), 0.25, "dB", "σ0 · cell area"});
 }
 
 TEST(CoherentGround, is_dark_behind_a_mover_where_it_really_is) {
-  const auto terrain = level_ground();
+  const auto terrain = level_terrain();
   const auto radar = looking_north(2.0);
   // A moving wall, 40 m long across the line of sight and 15 m tall: its shadow on level ground is 15/tan 20° = 41 m.
   auto wall = target_of(1000.0F, {0.0, 0.0, 7.5}, {0.0, -3.0, 0.0});
   wall.size_m = {2.0, 40.0, 15.0};
   const std::vector<radar::Target> targets{wall};
   const radar::Rectangle area{-120.0, -120.0, 120.0, 120.0};
-  const auto image = simulate::range_doppler_image({&terrain, even(0.1F), targets}, radar, area, {.interval_s = 0.4});
+  const auto image =
+      simulate::range_doppler_image({&terrain, even_ground(0.1F), targets}, radar, area, {.interval_s = 0.4});
   const auto mean_around = [&](Vec3d ground) {
     const Vec2d bin = image.place_of({ground});
     double sum = 0.0;
@@ -180,7 +174,7 @@ TEST(CalibratedPulses, return_the_radar_equation_in_volts) {
   for (const auto& sample : history.samples.values()) best = std::max<double>(best, std::norm(sample.vv));
   const double expected_w =
       radar::signal_to_noise(radar, 10.0, 8000.0) * radar::noise_power_w(radar) * radar.receiver.gain;
-  validation::expect_close({group, "peak power of 10 m² at 8 km over the radar equation's", 0.0,
+  validation::expect_close({targets_group, "peak power of 10 m² at 8 km over the radar equation's", 0.0,
                             db_from_linear(best / radar.receiver.impedance_ohm / expected_w), 0.1, "dB",
                             "P_t G² λ² σ e^(−2αr)/((4π)³ r⁴ L) · G_c"});
 }
@@ -211,7 +205,7 @@ TEST(CalibratedPulses, are_eclipsed_as_the_receive_chain_has_it) {
     for (const auto& sample : history.samples.values()) best = std::max<double>(best, std::norm(sample.vv));
     const double signal_w = best / radar.receiver.impedance_ohm / radar.receiver.gain;
     const double expected_db = db_from_linear(static_cast<double>(chain.signal_w(0, 0)) / chain.noise_w);
-    validation::expect_close({group,
+    validation::expect_close({targets_group,
                               "signal to noise of pulses every " + std::to_string(static_cast<int>(interval_us)) +
                                   " µs, a point at 8 km under pulses of 20 µs",
                               expected_db, db_from_linear(signal_w / radar::noise_power_w(radar)), 0.1, "dB",
@@ -235,7 +229,7 @@ TEST(CalibratedPulses, tell_in_their_file_what_leads_back_to_square_metres) {
   const auto numbers = product::iq_record(history, radar).numbers;
   const double one_square_metre =
       numbers.at("volts_from_1_m2_at_1_km") / 64.0 * std::pow(10.0, -numbers.at("atmosphere_db_per_km") * 7.0 / 10.0);
-  validation::expect_close({group, "10 m² at 8 km by what the file says of its volts", 10.0,
+  validation::expect_close({targets_group, "10 m² at 8 km by what the file says of its volts", 10.0,
                             std::pow(brightest / one_square_metre, 2.0), 0.25, "m²", "docs/iq_files.md"});
   EXPECT_DOUBLE_EQ(numbers.at("noise_power_w"), radar::noise_power_w(radar) * 1e4);
   EXPECT_FALSE(product::iq_record(receiver.receive(radar::Track::straight({}, {}), {.count = 1}, {}, {}), radar)
@@ -283,8 +277,8 @@ TEST(CalibratedPulses, carry_noise_of_kTBF_with_the_band_of_the_pulse) {
   }
   const double samples = 64.0 * static_cast<double>(history.samples.columns() - 1);
   const double expected = radar::noise_power_w(radar) * radar.receiver.gain * radar.receiver.impedance_ohm;
-  validation::expect_close({group, "thermal noise of pulses over kTBF", 0.0, db_from_linear(power / samples / expected),
-                            0.1, "dB", "k T₀ B F"});
+  validation::expect_close({targets_group, "thermal noise of pulses over kTBF", 0.0,
+                            db_from_linear(power / samples / expected), 0.1, "dB", "k T₀ B F"});
   // The ends of the gate have nothing in common, however many samples it has: this length a transform takes as it is.
   for (const std::size_t columns : {std::size_t{190}, std::size_t{192}}) {
     auto record = history;
@@ -311,11 +305,11 @@ TEST(CalibratedPulses, carry_noise_of_kTBF_with_the_band_of_the_pulse) {
 // Looks at the same ground are added up to bring out what noise hides: it must be another each time, and speckle must
 // not. The difference of two recordings is then noise alone, of twice the power of each.
 TEST(CalibratedPulses, of_another_dwell_have_other_noise_over_the_same_speckle) {
-  const auto terrain = level_ground();
+  const auto terrain = level_terrain();
   const auto radar = looking_north(5.0);
   const auto recorded = [&](std::uint64_t dwell) {
     return simulate::phase_history(
-        {&terrain, even(0.05F)}, radar, {-400.0, -400.0, 400.0, 400.0},
+        {&terrain, even_ground(0.05F)}, radar, {-400.0, -400.0, 400.0, 400.0},
         {.interval_s = 0.01, .scatterer_spacing_m = 2.0, .seed = 4, .dwell = dwell, .calibrated = true});
   };
   const auto first = recorded(1), again = recorded(1), second = recorded(2);
@@ -329,7 +323,7 @@ TEST(CalibratedPulses, of_another_dwell_have_other_noise_over_the_same_speckle) 
   const double noise = radar::noise_power_w(radar) * radar.receiver.gain * radar.receiver.impedance_ohm;
   const auto count = static_cast<double>(a.size());
   EXPECT_GT(ground / count, 10.0 * noise) << "or speckle would not show";
-  validation::expect_close({group, "difference of two dwells over noise of both", 0.0,
+  validation::expect_close({targets_group, "difference of two dwells over noise of both", 0.0,
                             db_from_linear(power / count / (2.0 * noise)), 0.2, "dB", "k T₀ B F"});
   EXPECT_EQ(repeated, 0.0);
 }
@@ -337,7 +331,7 @@ TEST(CalibratedPulses, of_another_dwell_have_other_noise_over_the_same_speckle) 
 TEST(CornerReflectors, AreWhatSentinel1IsCalibratedWith) {
   const double wavelength = wavelength_m(5.405e9);
   const auto expect_dbsm = [](const char* name, double expected, double rcs_m2) {
-    validation::expect_close({group, name, expected, db_from_linear(rcs_m2), 0.01, "dBsm", "ESA STEP forum"});
+    validation::expect_close({targets_group, name, expected, db_from_linear(rcs_m2), 0.01, "dBsm", "ESA STEP forum"});
   };
   expect_dbsm("dihedral of 1.5 m at 5.405 GHz", 46.17, radar::dihedral_rcs_m2(1.5, 1.5, wavelength));
   expect_dbsm("trihedral of triangles of 2.5 m at 5.405 GHz", 47.26,
@@ -361,9 +355,9 @@ TEST(CalibratedPulses, have_the_elevation_cut_of_the_antenna) {
   const double even = volts(radar::EvenBeam{}, 0.0);
   ASSERT_GT(even, 0.0);
   for (const auto& [tilt_deg, expected_db] : {std::pair{-20.0, 0.0}, {-18.0, -6.02}, {-22.0, -6.02}}) {
-    validation::expect_close({group, fmt::format("pulses of a place 20° down, beam of 4° tilted by {}°", tilt_deg),
-                              expected_db, 2.0 * db_from_linear(volts(radar::GaussianBeam{}, tilt_deg) / even), 0.01,
-                              "dB", "half power, out and back"});
+    validation::expect_close(
+        {targets_group, fmt::format("pulses of a place 20° down, beam of 4° tilted by {}°", tilt_deg), expected_db,
+         2.0 * db_from_linear(volts(radar::GaussianBeam{}, tilt_deg) / even), 0.01, "dB", "half power, out and back"});
   }
   EXPECT_EQ(volts(radar::GaussianBeam{}, 20.0), 0.0);
 }

@@ -50,7 +50,7 @@ bool is_missing(const Place& place) {
 
 /// Waves of lengths that have nothing in common, across one another, and so no two hills alike; they sink towards the
 /// edge, beyond which tracer and sweep each go on in their own way.
-double hills_m(Vec2d at, double half_m) {
+double made_up_hills_m(Vec2d at, double half_m) {
   struct Wave {
     double height_m, length_m, azimuth_deg;
   };
@@ -72,7 +72,7 @@ terrain::HeightField made_up_hills(const Place& place) {
     for (std::size_t column = 0; column < nodes; ++column) {
       const Vec2d node{field.west_m + static_cast<double>(column) * field.spacing_m,
                        field.north_m - static_cast<double>(row) * field.spacing_m};
-      field.height_m(column, row) = static_cast<float>(hills_m(node, place.half_m));
+      field.height_m(column, row) = static_cast<float>(made_up_hills_m(node, place.half_m));
     }
   }
   return field;

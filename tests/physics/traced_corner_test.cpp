@@ -9,14 +9,14 @@
 namespace sigmascape::physics_test {
 namespace {
 
-constexpr const char* group = "Corner reflectors, traced";
-constexpr double height_m = 5.0;
+constexpr const char* traced_corner_group = "Corner reflectors, traced";
+constexpr double corner_height_m = 5.0;
 
 /// Corner reflectors of perfectly conducting, all but smooth plates, above black ground. Diffraction widens each
 /// plate's lobe until it peaks as physical optics says.
 class PlateScene {
  public:
-  PlateScene() : scene_(level_scene(black())) {}
+  PlateScene() : scene_(level_scene(lambert("black", 0.0))) {}
 
   void add_plate(std::vector<Vec3d> corners, Vec3d axis, double turn_rad) {
     std::vector<Vec3f> turned;
@@ -28,8 +28,9 @@ class PlateScene {
   [[nodiscard]] std::array<double, 4> seen(const radar::Aspect& aspect, std::size_t bounces, double at_frequency_hz,
                                            double cell_m) {
     scene_.prototypes = {plates_};
-    scene_.instances = {{.lift_m = static_cast<float>(height_m)}};
-    const Vec2d landing = radar::horizontal_direction(aspect.azimuth_rad) * (height_m * std::tan(aspect.elevation_rad));
+    scene_.instances = {{.lift_m = static_cast<float>(corner_height_m)}};
+    const Vec2d landing =
+        radar::horizontal_direction(aspect.azimuth_rad) * (corner_height_m * std::tan(aspect.elevation_rad));
     const auto echoes = traced_echoes(
         scene_, aspect,
         {.area = {landing.x - 3.0, landing.y - 3.0, landing.x + 3.0, landing.y + 3.0}, .cell_m = cell_m, .samples = 16},
@@ -38,9 +39,6 @@ class PlateScene {
   }
 
  private:
-  static scatter::Material black() {
-    return {.name = "black", .model = scatter::LambertParameters{0.0, {0.0, 1.0}}, .source = {}};
-  }
   static Vec3d turned_about(Vec3d axis, Vec3d p, double angle_rad) {
     return p * std::cos(angle_rad) + cross(axis, p) * std::sin(angle_rad) +
            axis * (dot(axis, p) * (1.0 - std::cos(angle_rad)));
@@ -51,7 +49,7 @@ class PlateScene {
 };
 
 /// A floor and a wall of side a that meet along x, seen at 45° from the south, turned about the line of sight.
-std::array<double, 4> dihedral(double side_m, double turn_rad, double at_frequency_hz) {
+std::array<double, 4> traced_dihedral(double side_m, double turn_rad, double at_frequency_hz) {
   const radar::Aspect aspect{pi, radians_from_deg(45.0)};
   const Vec3d sight = radar::direction_to_radar(aspect);
   const double half = side_m / 2.0;
@@ -62,7 +60,7 @@ std::array<double, 4> dihedral(double side_m, double turn_rad, double at_frequen
 }
 
 void expect_dbsm(const std::string& name, double expected_db, double measured_m2, const char* source) {
-  validation::expect_close({.group = group,
+  validation::expect_close({.group = traced_corner_group,
                             .name = name,
                             .expected = expected_db,
                             .measured = db_from_linear(measured_m2),
@@ -73,20 +71,20 @@ void expect_dbsm(const std::string& name, double expected_db, double measured_m2
 
 // Two flat plates, each widened to α² = λ²/4πA, and both orders as amplitudes make the peak of physical optics.
 TEST(TracedCorners, DihedralPeaksLikePhysicalOptics) {
-  expect_dbsm("dihedral, 1 m × 1 m plates, 3 cm, VV", 44.46, dihedral(1.0, 0.0, speed_of_light_mps / 0.03)[0],
+  expect_dbsm("dihedral, 1 m × 1 m plates, 3 cm, VV", 44.46, traced_dihedral(1.0, 0.0, speed_of_light_mps / 0.03)[0],
               "physical optics, 8πa²b²/λ²");
-  expect_dbsm("dihedral, 1.5 m × 1.5 m plates, 5.405 GHz, VV", 46.17, dihedral(1.5, 0.0, 5.405e9)[0],
+  expect_dbsm("dihedral, 1.5 m × 1.5 m plates, 5.405 GHz, VV", 46.17, traced_dihedral(1.5, 0.0, 5.405e9)[0],
               "Sentinel-1 calibration, ESA STEP forum: 46.17 dBsm");
 }
 
 TEST(TracedCorners, DihedralTurnedAboutTheLineOfSight) {
-  const double full = dihedral(1.0, 0.0, frequency_hz)[0];
+  const double full = traced_dihedral(1.0, 0.0, frequency_hz)[0];
   for (const double turn_deg : {0.0, 22.5, 45.0, 90.0}) {
     const double cos_squared = 0.5 + 0.5 * std::cos(4.0 * radians_from_deg(turn_deg));
-    const auto sums = dihedral(1.0, radians_from_deg(turn_deg), frequency_hz);
+    const auto sums = traced_dihedral(1.0, radians_from_deg(turn_deg), frequency_hz);
     const auto report = [&](const char* name, std::size_t channel, double expected) {
       validation::expect_close(
-          {.group = group,
+          {.group = traced_corner_group,
            .name = fmt::format("dihedral turned by {}° about the line of sight, {}", turn_deg, name),
            .expected = expected,
            .measured = sums[channel] / full,
@@ -113,7 +111,7 @@ TEST(TracedCorners, TrihedralIsTheIdentity) {
       ASSERT_GT(sums[0], 1.0);
       const auto report = [&](const char* name, std::size_t channel, double expected) {
         validation::expect_close(
-            {.group = group,
+            {.group = traced_corner_group,
              .name = fmt::format("trihedral, azimuth {}°, elevation {}°, {}", azimuth_deg, elevation_deg, name),
              .expected = expected,
              .measured = sums[channel] / sums[0],

@@ -12,7 +12,7 @@
 namespace sigmascape::physics_test {
 namespace {
 
-constexpr std::string_view group = "Live frames";
+constexpr std::string_view traced_frame_group = "Live frames";
 
 TEST(TracedFrame, LambertGroundReturnsItsSigma0) {
   constexpr double albedo = 0.4, cross_ratio = 0.1;
@@ -39,7 +39,7 @@ TEST(TracedFrame, LambertGroundReturnsItsSigma0) {
                     frame.grid.azimuth_step_rad;
       }
     }
-    validation::expect_close({.group = group,
+    validation::expect_close({.group = traced_frame_group,
                               .name = fmt::format("traced, Lambert ground at {}°", elevation_deg),
                               .expected = 0.0,
                               .measured = db_from_linear(sum / expected),
@@ -83,13 +83,13 @@ TEST(TracedFrame, LevelGroundHasTheScatterersThatItHasFromTextures) {
   }
   // They differ where in the bins a scatterer's power goes: to its own place from textures, to where echoes came from
   // in the other.
-  validation::expect_at_least({.group = group,
+  validation::expect_at_least({.group = traced_frame_group,
                                .name = "level ground, correlation of I/Q traced and from textures",
                                .limit = 0.85,
                                .measured = cross.real() / std::sqrt(of_baked * of_traced),
                                .unit = "1",
                                .source = "the same scatterers in the same places; 0 were they others"});
-  validation::expect_close({.group = group,
+  validation::expect_close({.group = traced_frame_group,
                             .name = "level ground, power of I/Q traced and from textures",
                             .expected = 0.0,
                             .measured = db_from_linear(of_traced / of_baked),
@@ -152,7 +152,7 @@ TEST(TracedFrame, ABoxAndItsShadowAreWhereTheTexturesHaveThem) {
   EXPECT_NEAR(static_cast<double>(dark), 16.0, 4.0);
   EXPECT_GE(bright, 2U);
   EXPECT_LE(differently_dark, 2U);
-  validation::expect_close({.group = group,
+  validation::expect_close({.group = traced_frame_group,
                             .name = "open ground about a box, textures against traced",
                             .expected = 0.0,
                             .measured = db_from_linear(open_baked / open_traced),

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "physics/facet_distributions.h"
 #include "physics/level_scene.h"
 #include "physics/two_surface_integral.h"
 #include "validation/validation_record.h"
@@ -11,9 +12,7 @@
 namespace sigmascape::physics_test {
 namespace {
 
-constexpr const char* group = "Wall and ground";
-constexpr auto Beckmann = scatter::MicrofacetDistribution::Beckmann;
-constexpr auto Ggx = scatter::MicrofacetDistribution::Ggx;
+constexpr const char* wall_and_ground_group = "Wall and ground";
 
 /// A wall of 10 m × 10 m on open ground, both ideal conductors, and from where it is seen.
 struct Corner {
@@ -23,10 +22,9 @@ struct Corner {
   scatter::MicrofacetDistribution distribution = Beckmann;
 };
 
-std::string name_of(const Corner& corner) {
-  std::string name =
-      fmt::format("{} α {} wall, {} ground, incidence {}°", corner.distribution == Beckmann ? "Beckmann" : "GGX",
-                  corner.alpha_wall, corner.alpha_ground, corner.incidence_deg);
+std::string corner_name(const Corner& corner) {
+  std::string name = fmt::format("{} α {} wall, {} ground, incidence {}°", name_of(corner.distribution),
+                                 corner.alpha_wall, corner.alpha_ground, corner.incidence_deg);
   return corner.azimuth_off_deg == 0.0 ? name : name + fmt::format(", wall turned by {}°", corner.azimuth_off_deg);
 }
 
@@ -53,9 +51,9 @@ Estimate integrated(const Corner& corner, std::uint32_t points_per_batch = 1U <<
                               points_per_batch);
 }
 
-void expect_db(const std::string& name, double expected_m2, double measured_m2, const char* source,
-               double tolerance_db = 0.1) {
-  validation::expect_close({.group = group,
+void expect_returned_m2(const std::string& name, double expected_m2, double measured_m2, const char* source,
+                        double tolerance_db = 0.1) {
+  validation::expect_close({.group = wall_and_ground_group,
                             .name = name,
                             .expected = db_from_linear(expected_m2),
                             .measured = db_from_linear(measured_m2),
@@ -75,8 +73,8 @@ TEST(WallAndGround, MirrorWallOnRoughGroundIsTheClosedForm) {
               {{0.002, 0.3, 45.0, 10.0}, 830.628},
               {{0.002, 0.6, 60.0}, 454.074}};
   for (const auto& row : rows) {
-    expect_db(name_of(row.corner) + ", traced, both orders", 4.0 * row.one_order_m2, all_receive(traced(row.corner)[2]),
-              "closed form of one order, times four");
+    expect_returned_m2(corner_name(row.corner) + ", traced, both orders", 4.0 * row.one_order_m2,
+                       all_receive(traced(row.corner)[2]), "closed form of one order, times four");
   }
 }
 
@@ -88,10 +86,10 @@ TEST(WallAndGround, BothSlightlyRoughIsTheClosedForm) {
   for (const auto& row : rows) {
     const Corner corner{0.03, 0.03, row.incidence_deg};
     const double measured = all_receive(traced(corner)[2]);
-    expect_db(name_of(corner) + ", traced, against the closed form", 4.0 * row.closed_m2, measured,
-              "closed form of one order for small slopes, times four");
-    expect_db(name_of(corner) + ", traced, both orders", 4.0 * row.monte_carlo_m2, measured,
-              "separate Monte Carlo integral of one order, times four");
+    expect_returned_m2(corner_name(corner) + ", traced, against the closed form", 4.0 * row.closed_m2, measured,
+                       "closed form of one order for small slopes, times four");
+    expect_returned_m2(corner_name(corner) + ", traced, both orders", 4.0 * row.monte_carlo_m2, measured,
+                       "separate Monte Carlo integral of one order, times four");
   }
 }
 
@@ -107,17 +105,17 @@ TEST(WallAndGround, FinitelyRoughAgreesWithTheMonteCarloReferences) {
   for (const auto& row : rows) {
     // In the mode in which it was published: powers of one order, separable masking.
     const Estimate integral = integrated(row.corner);
-    EXPECT_LT(integral.standard_error, 4.0 * row.standard_error_m2) << name_of(row.corner);
-    validation::expect_close({.group = group,
-                              .name = name_of(row.corner) + ", integrated, one order",
+    EXPECT_LT(integral.standard_error, 4.0 * row.standard_error_m2) << corner_name(row.corner);
+    validation::expect_close({.group = wall_and_ground_group,
+                              .name = corner_name(row.corner) + ", integrated, one order",
                               .expected = row.one_order_m2,
                               .measured = integral.mean,
                               .tolerance = 3.0 * std::hypot(row.standard_error_m2, integral.standard_error),
                               .unit = "m²",
                               .source = "separate Monte Carlo integral, separable masking"});
     const double measured = all_receive(traced(row.corner)[2]);
-    expect_db(name_of(row.corner) + ", traced, both orders", 4.0 * row.one_order_m2, measured,
-              "separate Monte Carlo integral of one order, times four");
+    expect_returned_m2(corner_name(row.corner) + ", traced, both orders", 4.0 * row.one_order_m2, measured,
+                       "separate Monte Carlo integral of one order, times four");
   }
 }
 
@@ -125,8 +123,8 @@ TEST(WallAndGround, FinitelyRoughAgreesWithTheMonteCarloReferences) {
 TEST(WallAndGround, ThePairOfOrdersAddsThreeDecibels) {
   for (const Corner& corner : {Corner{0.002, 0.3}, Corner{0.03, 0.1}, Corner{0.1, 0.3}, Corner{0.1, 0.3, 60.0}}) {
     validation::expect_close(
-        {.group = group,
-         .name = name_of(corner) + ", traced over both orders as powers",
+        {.group = wall_and_ground_group,
+         .name = corner_name(corner) + ", traced over both orders as powers",
          .expected = db_from_linear(2.0),
          .measured = db_from_linear(all_receive(traced(corner)[2]) / (2.0 * integrated(corner, 1U << 14U).mean)),
          .tolerance = 0.05,
@@ -139,7 +137,7 @@ TEST(WallAndGround, CrossPolarizationOfATurnedWall) {
   const struct { double turn_deg, cross_db; } rows[] = {{5.0, -12.00}, {10.0, -5.49}};
   for (const auto& row : rows) {
     const auto sums = traced({0.002, 0.3, 45.0, row.turn_deg}, {.area = {-14, -14, 14, 12}, .samples = 256});
-    validation::expect_close({.group = group,
+    validation::expect_close({.group = wall_and_ground_group,
                               .name = fmt::format("mirror wall turned by {}°, traced, HV/HH", row.turn_deg),
                               .expected = row.cross_db,
                               .measured = db_from_linear(sums[2][2] / sums[2][1]),
@@ -154,7 +152,7 @@ TEST(WallAndGround, OddAndEvenBouncesHaveOppositePhases) {
     const auto sums = traced({0.002, 0.3, incidence_deg}, {.samples = 8});
     for (const std::size_t bounces : {1U, 2U}) {
       if (bounces == 1 && incidence_deg == 60.0) continue;  // the ground returns nothing that steeply
-      validation::expect_close({.group = group,
+      validation::expect_close({.group = wall_and_ground_group,
                                 .name = fmt::format("correlation of VV and HH, incidence {}°, {} bounce{}",
                                                     incidence_deg, bounces, bounces == 1 ? "" : "s"),
                                 .expected = bounces == 1 ? 1.0 : -1.0,
@@ -184,7 +182,7 @@ TEST(WallAndGround, ConcreteWallOnMediumDryGround) {
   const auto ideal = corner({1.0, -1e12}, {1.0, -1e12});
   const auto report = [&](const char* name, std::size_t channel, double expected_db) {
     validation::expect_close(
-        {.group = group,
+        {.group = wall_and_ground_group,
          .name = fmt::format("concrete wall on medium dry ground, incidence 45°, traced, {}", name),
          .expected = expected_db,
          .measured = db_from_linear(real[channel] / ideal[channel]),
@@ -212,8 +210,8 @@ TEST(WallAndGround, LambertWallOnLambertGround) {
   scene.ground.material(1, 1) = scene.material_index(white);
   const auto sums =
       bounce_sums(traced_echoes(scene, {pi, radians_from_deg(45.0)}, {.samples = 256, .options = {.max_bounces = 2}}));
-  expect_db("Lambert wall and ground of 10 m × 10 m, incidence 45°, both orders", 2.0 * 80.0175, sums[2][0],
-            "view factor of perpendicular squares, times two");
+  expect_returned_m2("Lambert wall and ground of 10 m × 10 m, incidence 45°, both orders", 2.0 * 80.0175, sums[2][0],
+                     "view factor of perpendicular squares, times two");
 }
 
 // For a mirror wall every way over ground and wall is as long as to the wall's foot and back, and lands there.
@@ -237,7 +235,7 @@ TEST(WallAndGround, DoubleBounceLiesOnTheFootOfTheWall) {
       }
       ASSERT_GT(power, 0.0);
       validation::expect_close(
-          {.group = group,
+          {.group = wall_and_ground_group,
            .name =
                fmt::format("double bounce, rms distance from the foot of the wall, azimuth {:+}° off, elevation {}°",
                            azimuth_deg, elevation_deg),

@@ -22,7 +22,7 @@ Window taylor(double side_lobe_db, int terms) {
   return {.shape = WindowShape::Taylor, .taylor_side_lobe = linear_from_db(side_lobe_db), .taylor_terms = terms};
 }
 
-void expect_db(const char* name, double expected_db, double power, double tolerance_db, const char* source) {
+void expect_side_lobe_db(const char* name, double expected_db, double power, double tolerance_db, const char* source) {
   validation::expect_close({.group = "Windows",
                             .name = name,
                             .expected = expected_db,
@@ -43,21 +43,21 @@ void expect_width(const char* name, double expected, double measured) {
 }
 
 TEST(Window, PeakSideLobesAreThePublishedOnes) {
-  expect_db("peak side lobe, rectangular", -13.26, WindowResponse(rectangular).peak_side_lobe(), 0.1, "sinc");
-  expect_db("peak side lobe, cosine", -23.0, WindowResponse(cosine).peak_side_lobe(), 0.1, harris);
-  expect_db("peak side lobe, Hamming", -42.7, WindowResponse(hamming).peak_side_lobe(), 0.1, harris);
-  expect_db("peak side lobe, Taylor −25 dB, n̄ 5", -25.0, WindowResponse(taylor(-25, 5)).peak_side_lobe(), 0.4,
-            "design");
-  expect_db("peak side lobe, Taylor −35 dB, n̄ 5", -35.0, WindowResponse(taylor(-35, 5)).peak_side_lobe(), 0.4,
-            "design");
-  expect_db("peak side lobe, Taylor −40 dB, n̄ 6", -40.0, WindowResponse(taylor(-40, 6)).peak_side_lobe(), 0.4,
-            "design");
+  expect_side_lobe_db("peak side lobe, rectangular", -13.26, WindowResponse(rectangular).peak_side_lobe(), 0.1, "sinc");
+  expect_side_lobe_db("peak side lobe, cosine", -23.0, WindowResponse(cosine).peak_side_lobe(), 0.1, harris);
+  expect_side_lobe_db("peak side lobe, Hamming", -42.7, WindowResponse(hamming).peak_side_lobe(), 0.1, harris);
+  expect_side_lobe_db("peak side lobe, Taylor −25 dB, n̄ 5", -25.0, WindowResponse(taylor(-25, 5)).peak_side_lobe(), 0.4,
+                      "design");
+  expect_side_lobe_db("peak side lobe, Taylor −35 dB, n̄ 5", -35.0, WindowResponse(taylor(-35, 5)).peak_side_lobe(), 0.4,
+                      "design");
+  expect_side_lobe_db("peak side lobe, Taylor −40 dB, n̄ 6", -40.0, WindowResponse(taylor(-40, 6)).peak_side_lobe(), 0.4,
+                      "design");
 }
 
 // ∫ sinc² over the main lobe is 0.9028 (2 Si(2π)/π).
 TEST(Window, IntegratedSideLobesOfTheRectangle) {
-  expect_db("integrated side lobes, rectangular", db_from_linear(1.0 / 0.902823 - 1.0),
-            WindowResponse(rectangular).integrated_side_lobes(), 0.05, "2 Si(2π)/π");
+  expect_side_lobe_db("integrated side lobes, rectangular", db_from_linear(1.0 / 0.902823 - 1.0),
+                      WindowResponse(rectangular).integrated_side_lobes(), 0.05, "2 Si(2π)/π");
 }
 
 // The response of so many weights, transformed, summed within its first zeros and beyond: no closed form of ours.
@@ -85,8 +85,8 @@ TEST(Window, IntegratedSideLobesAreThoseOfTheTransformedWeights) {
        {Named{"integrated side lobes by sum, rectangular", rectangular},
         Named{"integrated side lobes by sum, cosine", cosine}, Named{"integrated side lobes by sum, Hamming", hamming},
         Named{"integrated side lobes by sum, Taylor −35 dB, n̄ 5", taylor(-35, 5)}}) {
-    expect_db(name, db_from_linear(by_sum(window)), WindowResponse(window).integrated_side_lobes(), 0.1,
-              "transformed weights");
+    expect_side_lobe_db(name, db_from_linear(by_sum(window)), WindowResponse(window).integrated_side_lobes(), 0.1,
+                        "transformed weights");
   }
 }
 
@@ -149,8 +149,8 @@ TEST(AntennaCut, UniformApertureHasSincSideLobes) {
     one_way = std::max(one_way, cut.power(offset));
     two_way = std::max(two_way, cut.two_way_power(offset));
   }
-  expect_db("uniform aperture, one way", -13.26, one_way, 0.1, "sinc");
-  expect_db("uniform aperture, two ways", -26.52, two_way, 0.2, "sinc⁴");
+  expect_side_lobe_db("uniform aperture, one way", -13.26, one_way, 0.1, "sinc");
+  expect_side_lobe_db("uniform aperture, two ways", -26.52, two_way, 0.2, "sinc⁴");
 }
 
 }  // namespace

@@ -1,8 +1,8 @@
 #include <algorithm>
-#include <cmath>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "directions.h"
 #include "statistics/every_material.h"
 #include "validation/validation_record.h"
 
@@ -14,15 +14,8 @@
 namespace sigmascape::statistics_test {
 namespace {
 
-constexpr Vec3f up{0.0F, 0.0F, 1.0F};
 constexpr scatter::Permittivity perfect_conductor{1.0, 0.0, 1e9, 0.0};
 constexpr double incidences_deg[] = {0.0, 10.0, 20.0, 30.0, 40.0, 50.0, 60.0, 70.0, 80.0, 85.0};
-
-Vec3f direction(double incidence_deg, double azimuth_deg) {
-  const double theta = radians_from_deg(incidence_deg);
-  const double phi = radians_from_deg(azimuth_deg);
-  return Vec3d{std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)}.to<float>();
-}
 
 struct ReturnedPower {
   double from_v = 0.0;

@@ -5,6 +5,7 @@
 #include <string>
 #include <variant>
 
+#include "directions.h"
 #include "statistics/chi_square.h"
 #include "statistics/every_material.h"
 #include "validation/validation_record.h"
@@ -20,14 +21,7 @@ namespace {
 using scatter::MicrofacetDistribution;
 using scatter::Microfacets;
 
-constexpr Vec3f up{0.0F, 0.0F, 1.0F};
 constexpr double overall_significance = 0.01;
-
-Vec3f direction(double incidence_deg, double azimuth_deg) {
-  const double theta = radians_from_deg(incidence_deg);
-  const double phi = radians_from_deg(azimuth_deg);
-  return Vec3d{std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)}.to<float>();
-}
 
 /// The least probable of several tests, which must still be likelier than Šidák's bound for so many.
 class Battery {

@@ -16,15 +16,15 @@
 namespace sigmascape {
 namespace {
 
-constexpr std::string_view group = "Wind in leaves";
+constexpr std::string_view windblown_group = "Wind in leaves";
 
 /// At X band and in a breeze of 10 miles an hour: r = 489.8 · 10^−1.55 · 10^−1.21 = 0.8512, β = 1/(0.1048 · 1.4147).
 TEST(WindblownVegetation, has_the_published_constants) {
   const radar::WindblownVegetation leaves(10.0 * 0.44704, 10e9);
-  validation::expect_close({group, "still part at 10 GHz, 10 miles an hour", 0.8512 / 1.8512, leaves.still_part(), 1e-3,
-                            "1", "Billingsley 1996, by hand"});
-  validation::expect_close(
-      {group, "decay at 10 miles an hour", 6.745, leaves.decay_s_per_m(), 0.005, "s/m", "Billingsley 1996, by hand"});
+  validation::expect_close({windblown_group, "still part at 10 GHz, 10 miles an hour", 0.8512 / 1.8512,
+                            leaves.still_part(), 1e-3, "1", "Billingsley 1996, by hand"});
+  validation::expect_close({windblown_group, "decay at 10 miles an hour", 6.745, leaves.decay_s_per_m(), 0.005, "s/m",
+                            "Billingsley 1996, by hand"});
   // More wind and higher frequency leave less at rest, and wind alone makes it faster.
   EXPECT_LT(radar::WindblownVegetation(10.0, 10e9).still_part(), leaves.still_part());
   EXPECT_LT(radar::WindblownVegetation(10.0, 10e9).decay_s_per_m(), leaves.decay_s_per_m());
@@ -86,11 +86,12 @@ TEST(WindblownVegetation, spectrum_of_pulses_is_exponential) {
   }
   // Within the line's own width lies a part of the slopes.
   const double beta = leaves.decay_s_per_m(), slopes = 1.0 - std::exp(-2.5 * beta * step);
-  validation::expect_close({group, "part of the power in the line at zero",
+  validation::expect_close({windblown_group, "part of the power in the line at zero",
                             leaves.still_part() + (1.0 - leaves.still_part()) * slopes, line / all, 0.05, "1",
                             "r/(r + 1)"});
-  validation::expect_close({group, "fall of the slopes over 0.23 m/s", db_from_linear(std::exp(-10.0 * step * beta)),
-                            db_from_linear(far / near), 0.5, "dB", "exp(−β |v|)"});
+  validation::expect_close({windblown_group, "fall of the slopes over 0.23 m/s",
+                            db_from_linear(std::exp(-10.0 * step * beta)), db_from_linear(far / near), 0.5, "dB",
+                            "exp(−β |v|)"});
   EXPECT_NEAR(db_from_linear(left / right), 0.0, 1.0);
 }
 

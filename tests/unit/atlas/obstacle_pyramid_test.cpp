@@ -28,7 +28,7 @@ std::vector<PatchIndex> patches_of(const Store& atlas) {
   return atlas.description().patches.covering(atlas.description().extent);
 }
 
-Store filled(const fs::path& folder) {
+Store with_all_obstacles(const fs::path& folder) {
   Store atlas = Store::create(folder, wide_ground_apart());
   write_all_obstacles(atlas);
   return atlas;
@@ -39,7 +39,7 @@ constexpr std::size_t files_above = 6 + 4;
 
 TEST(ObstaclePyramid, WhoeverMakesItMakesTheSameBytes) {
   const ScratchFolder folder;
-  const Store whole = filled(folder.path("whole"));
+  const Store whole = with_all_obstacles(folder.path("whole"));
   EXPECT_EQ(obstacle_pyramid(whole).make_above(patches_of(whole)), files_above);
   EXPECT_EQ(obstacle_pyramid(whole).make_above(patches_of(whole)), 0U);
 
@@ -60,7 +60,7 @@ TEST(ObstaclePyramid, WhoeverMakesItMakesTheSameBytes) {
 
 TEST(ObstaclePyramid, FaultsAreFoundNamedAndMended) {
   const ScratchFolder folder;
-  const Store atlas = filled(folder.path("a"));
+  const Store atlas = with_all_obstacles(folder.path("a"));
   const LayerPyramid pyramid = obstacle_pyramid(atlas);
   EXPECT_EQ(pyramid.verify().size(), 6U) << "what can be made and is not there";
   pyramid.make_above(patches_of(atlas));
@@ -87,7 +87,7 @@ TEST(ObstaclePyramid, FaultsAreFoundNamedAndMended) {
 
 TEST(ObstaclePyramid, WaitsForWhatIsMissingAndFollowsWhatWasMadeAnew) {
   const ScratchFolder folder;
-  const Store atlas = filled(folder.path("a"));
+  const Store atlas = with_all_obstacles(folder.path("a"));
   const LayerPyramid pyramid = obstacle_pyramid(atlas);
   fs::remove(atlas.folder() / obstacles_path({0, {0, 0}}));
   EXPECT_EQ(pyramid.make_above(patches_of(atlas)), files_above - 2);
@@ -113,7 +113,7 @@ TEST(ObstaclePyramid, WaitsForWhatIsMissingAndFollowsWhatWasMadeAnew) {
 // them, and two of the second for those.
 TEST(ObstaclePyramid, WhatIsLeftOutIsToldWithItsCause) {
   const ScratchFolder folder;
-  const Store atlas = filled(folder.path("a"));
+  const Store atlas = with_all_obstacles(folder.path("a"));
   const fs::path missing = obstacles_path({0, {-3, 0}}), former = obstacles_path({0, {1, -1}});
   fs::remove(atlas.folder() / missing);
   fs::remove(item_path(atlas.folder() / missing));
@@ -135,7 +135,7 @@ TEST(ObstaclePyramid, WhatIsLeftOutIsToldWithItsCause) {
 
 TEST(ObstaclePyramid, OfAWholeAtlasNothingIsLeftOut) {
   const ScratchFolder folder;
-  const Store atlas = filled(folder.path("a"));
+  const Store atlas = with_all_obstacles(folder.path("a"));
   for (const Unit& unit : atlas.units()) atlas.write(unit.patch, unit.look, example_texels(512, unit.look), {});
   const LevelsAbove made = make_levels_above(atlas);
   EXPECT_EQ(made.written.looks, files_above);

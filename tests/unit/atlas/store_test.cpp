@@ -6,13 +6,13 @@
 #include <functional>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <iterator>
 #include <limits>
 #include <memory>
 #include <string>
 #include <thread>
 #include <vector>
 
+#include "bytes_of.h"
 #include "example_texels.h"
 #include "scratch_folder.h"
 #include "sealed_item.h"
@@ -25,11 +25,6 @@ namespace sigmascape::atlas {
 namespace {
 
 using testing::HasSubstr;
-
-std::string bytes_of(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
 
 std::string message_of(const std::function<void()>& action) {
   try {

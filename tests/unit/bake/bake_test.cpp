@@ -586,7 +586,7 @@ TEST(Bake, WithAllDigitsTheDescriptionIsThatOfBefore) {
 }
 
 /// Takes down what it hears.
-class Listener final : public ProgressListener {
+class LookListener final : public ProgressListener {
  public:
   void advanced(std::string_view task, double done, double total, std::string_view unit) override {
     EXPECT_EQ(task, "bake");
@@ -642,7 +642,7 @@ TEST(Bake, VerifyTellsOfEachTexture) {
 
 TEST(Bake, TellsOfEachLook) {
   const ScratchFolder folder;
-  Listener listener;
+  LookListener listener;
   bake(bare_scene(20.0), small_bake(), folder.path("a"), listener);
   EXPECT_EQ(listener.whole, 4U);
   EXPECT_GT(listener.parts, 0U);

@@ -56,7 +56,7 @@ BakeSettings settings_of(Buildings buildings) {
 }
 
 /// Bakes a share into a folder.
-atlas::Store baked(Buildings buildings, const std::filesystem::path& folder, const Shard& shard = {}) {
+atlas::Store baked_atlas(Buildings buildings, const std::filesystem::path& folder, const Shard& shard = {}) {
   SilentProgress silent;
   bake(two_houses(), settings_of(buildings), folder, silent, {shard});
   return atlas::Store::open(folder);
@@ -68,7 +68,7 @@ class BuildingTextures : public testing::Test {
   static void SetUpTestSuite() {
     folder_ = std::make_unique<ScratchFolder>();
     for (const auto& [buildings, name] : {std::pair{Buildings::Baked, "baked"}, {Buildings::Both, "both"}})
-      static_cast<void>(baked(buildings, folder_->path(name)));
+      static_cast<void>(baked_atlas(buildings, folder_->path(name)));
   }
   static void TearDownTestSuite() { folder_.reset(); }
 
@@ -90,7 +90,7 @@ double power_of(const radar::Channels& texel) {
 
 TEST_F(BuildingTextures, AddUpWithTheOthersToThoseThatHaveAll) {
   const ScratchFolder folder;
-  const atlas::Store apart = baked(Buildings::Apart, folder.path("apart"));
+  const atlas::Store apart = baked_atlas(Buildings::Apart, folder.path("apart"));
   ASSERT_TRUE(atlas::keeps_building_textures(both().description()));
   EXPECT_FALSE(atlas::keeps_building_textures(apart.description()));
   const atlas::Store alone = atlas::open_building_textures(both());
@@ -154,7 +154,7 @@ TEST_F(BuildingTextures, AreNotLeftOutOfTilesWithoutAWord) {
 
 TEST_F(BuildingTextures, AreBakedTheSameInSharesAndAfterALoss) {
   const ScratchFolder folder;
-  for (const std::size_t index : {1U, 0U}) baked(Buildings::Both, folder.path("two"), {index, 2});
+  for (const std::size_t index : {1U, 0U}) baked_atlas(Buildings::Both, folder.path("two"), {index, 2});
   const auto whole = files_of(both().folder());
   EXPECT_EQ(difference_of(whole, files_of(folder.path("two"))), "");
 

@@ -14,18 +14,18 @@
 namespace sigmascape::bake {
 namespace {
 
-constexpr double side_m = 64.0;
+constexpr double level_side_m = 64.0;
 
 /// Level ground with two blocks side by side: edges, layover, shadow and paths of several bounces.
 /// Its south-western corner is at (corner_m, corner_m).
 scene::Scene scene_with_block(double corner_m = 0.0) {
   scene::Scene scene;
   scene.name = "block";
-  scene.extent = {corner_m, corner_m, corner_m + side_m, corner_m + side_m};
-  scene.terrain = {corner_m, corner_m + side_m, side_m, Array2D<float>(2, 2, 0.0F)};
+  scene.extent = {corner_m, corner_m, corner_m + level_side_m, corner_m + level_side_m};
+  scene.terrain = {corner_m, corner_m + level_side_m, level_side_m, Array2D<float>(2, 2, 0.0F)};
   const scatter::Material ground{.name = "ground", .model = scatter::LambertParameters{0.3, {0.1, 0.5}}, .source = {}};
   const scatter::Material wall{.name = "wall", .model = scatter::LambertParameters{0.7, {0.1, 0.5}}, .source = {}};
-  scene.ground = {{corner_m, corner_m + side_m, side_m, 1, 1},
+  scene.ground = {{corner_m, corner_m + level_side_m, level_side_m, 1, 1},
                   Array2D<scene::MaterialIndex>(1, 1, scene.material_index(ground))};
   for (const float x : {20.0F, 42.0F}) {
     scene.prototypes.push_back(scene::box_mesh({8, 20, 9}, scene.material_index(wall)));
@@ -60,7 +60,7 @@ BakeSettings settings_with(const Sampling& sampling) {
   return settings;
 }
 
-BakedLook baked(const scene::Scene& scene, BakeSettings settings, std::uint64_t seed) {
+BakedLook baked_look(const scene::Scene& scene, BakeSettings settings, std::uint64_t seed) {
   settings.seed = seed;
   const LookBaker baker(scene, settings);
   SilentProgress silent;
@@ -156,7 +156,7 @@ std::vector<BakedLook> bakes_of_the_block(const Sampling& sampling, int repetiti
   BakeSettings settings = settings_with(sampling);
   settings.noise = noise;
   std::vector<BakedLook> looks;
-  for (int i = 0; i < repetitions; ++i) looks.push_back(baked(scene, settings, 1000U + unsigned(i)));
+  for (int i = 0; i < repetitions; ++i) looks.push_back(baked_look(scene, settings, 1000U + unsigned(i)));
   return looks;
 }
 
@@ -196,7 +196,7 @@ TEST(LookBaker, ErrorsOfFirstSurfacesAreStatedWithRoomToSpare) {
     BakeSettings settings = settings_with({.samples_per_texel = samples});
     settings.max_bounces = 1;
     std::vector<BakedLook> looks;
-    for (unsigned i = 0; i < 16; ++i) looks.push_back(baked(scene, settings, 1000U + i));
+    for (unsigned i = 0; i < 16; ++i) looks.push_back(baked_look(scene, settings, 1000U + i));
     const double stated =
         HonestyTally(looks, [](std::size_t, const Scatter&) { return 0.0; }).result().predicted_over_actual;
     EXPECT_GT(stated, 1.0) << samples;
@@ -272,9 +272,9 @@ TEST(LookBaker, FirstSurfacesDoNotShare) {
   BakeSettings settings = settings_with({.samples_per_texel = 8});
   settings.max_bounces = 1;
   const scene::Scene scene = scene_with_block();
-  const BakedLook own = baked(scene, settings, 1);
+  const BakedLook own = baked_look(scene, settings, 1);
   settings.noise = Noise::Shared;
-  const BakedLook shared = baked(scene, settings, 1);
+  const BakedLook shared = baked_look(scene, settings, 1);
   EXPECT_TRUE(std::ranges::equal(shared.sigma0.values(), own.sigma0.values()));
   EXPECT_TRUE(std::ranges::equal(shared.relative_errors.values(), own.relative_errors.values()));
 }
@@ -286,7 +286,7 @@ std::pair<double, double> total_of(const Sampling& sampling, int repetitions) {
   settings.patches.texel_m = 8.0;
   double sum = 0.0, squares = 0.0;
   for (int i = 0; i < repetitions; ++i) {
-    const BakedLook look = baked(scene, settings, 50U + unsigned(i));
+    const BakedLook look = baked_look(scene, settings, 50U + unsigned(i));
     sum += total(look);
     squares += total(look) * total(look);
   }
@@ -303,7 +303,7 @@ TEST(LookBaker, AdaptiveSamplingHasTheMeanOfFixedSampling) {
 }
 
 TEST(LookBaker, AdaptiveSamplingSparesOpenGround) {
-  const BakedLook look = baked(scene_with_block(), settings_with({.target_db = 0.4}), 1);
+  const BakedLook look = baked_look(scene_with_block(), settings_with({.target_db = 0.4}), 1);
   EXPECT_GT(look.samples_per_texel, pilot_samples);
   EXPECT_LT(look.samples_per_texel, 4.0 * pilot_samples);
 }
@@ -335,7 +335,7 @@ TEST(LookBaker, PatchesOfAMosaicAgreeWithOnePatchOverAll) {
 }
 
 /// Level ground that reaches 4096 m north of a tower 326 m high, whose foot is 40 m wide.
-scene::Scene scene_with_tower() {
+scene::Scene scene_with_high_tower() {
   scene::Scene scene = scene_with_block();
   scene.extent = {-256.0, -512.0, 256.0, 4096.0};
   scene.terrain = {-1024.0, 5120.0, 6144.0, Array2D<float>(2, 2, 0.0F)};
@@ -350,7 +350,7 @@ scene::Scene scene_with_tower() {
 
 // h / tan 5° = 3726 m: seven patches away, and nothing else stands there.
 TEST(LookBaker, ATowerSeveralPatchesAwayShadesThisOne) {
-  const scene::Scene scene = scene_with_tower();
+  const scene::Scene scene = scene_with_high_tower();
   BakeSettings settings = settings_with({.samples_per_texel = 4});
   settings.aspects = {{radians_from_deg(180.0)}, {radians_from_deg(5.0)}, {10e9}};
   const LookBaker baker(scene, settings);
@@ -396,7 +396,7 @@ TEST(LookBaker, RaysNeedOnlyWhatStandsAboutAPatch) {
 
 // Its top lies over to h · tan 5° = 28.5 m before its foot, here into the patch before it.
 TEST(LookBaker, ATowerOfTheNextPatchLiesOverIntoThisOne) {
-  scene::Scene scene = scene_with_tower();
+  scene::Scene scene = scene_with_high_tower();
   scene.instances.front().y_m = 21.0F;
   BakeSettings settings = settings_with({.samples_per_texel = 16});
   settings.aspects = {{radians_from_deg(180.0)}, {radians_from_deg(5.0)}, {10e9}};
@@ -414,7 +414,7 @@ TEST(LookBaker, ATowerOfTheNextPatchLiesOverIntoThisOne) {
 
 // From 80° a top lies over by h · tan 80° = 1849 m: its roof, as large as its foot, lands three patches before it.
 TEST(LookBaker, ATowerSeveralPatchesAwayLiesOverIntoThisOne) {
-  scene::Scene scene = scene_with_tower();
+  scene::Scene scene = scene_with_high_tower();
   scene.instances.front().y_m = 2600.0F;
   BakeSettings settings = settings_with({.samples_per_texel = 16});
   settings.aspects = {{radians_from_deg(180.0)}, {radians_from_deg(80.0)}, {10e9}};

@@ -12,12 +12,12 @@ namespace {
 
 constexpr std::size_t side = 24;
 
-double power(const NoisyTexels& texels, std::size_t column, std::size_t row) {
+double texel_power(const NoisyTexels& texels, std::size_t column, std::size_t row) {
   return static_cast<double>(texels.power(column, row).power(radar::Polarization::Sum));
 }
 
 double relative_error(const NoisyTexels& texels, std::size_t column, std::size_t row) {
-  return std::sqrt(texels.variance(column, row)) / power(texels, column, row);
+  return std::sqrt(texels.variance(column, row)) / texel_power(texels, column, row);
 }
 
 /// All texels of one sure power.
@@ -44,7 +44,7 @@ NoisyTexels random_texels() {
   return texels;
 }
 
-std::array<double, radar::Channels::count> total(const NoisyTexels& texels) {
+std::array<double, radar::Channels::count> channel_sums(const NoisyTexels& texels) {
   std::array<double, radar::Channels::count> sum{};
   for (const radar::Channels& texel : texels.power.values()) {
     sum[0] += static_cast<double>(texel.vv);
@@ -65,7 +65,7 @@ TEST(NoiseSharing, WhatIsSureStaysAsItIs) {
 
 TEST(NoiseSharing, PowerIsKeptChannelByChannel) {
   const NoisyTexels texels = random_texels();
-  const auto before = total(texels), after = total(with_noise_shared(texels, 1));
+  const auto before = channel_sums(texels), after = channel_sums(with_noise_shared(texels, 1));
   for (std::size_t channel = 0; channel < before.size(); ++channel)
     EXPECT_NEAR(after[channel] / before[channel], 1.0, 1e-5) << channel;
 }
@@ -76,19 +76,19 @@ TEST(NoiseSharing, WhatIsInDoubtGoesAround) {
   NoisyTexels texels = evenly_lit(1e-3F);
   put(texels, 12, 12, 1024.0F, 512.0);
   const NoisyTexels shared = with_noise_shared(texels, 1);
-  EXPECT_NEAR(power(shared, 12, 12), 768.0 + 256.0 * 36.0 / 256.0, 1e-2);
-  EXPECT_NEAR(power(shared, 13, 12), 24.0, 1e-2);
-  EXPECT_NEAR(power(shared, 13, 11), 16.0, 1e-2);
-  EXPECT_NEAR(power(shared, 10, 12), 6.0, 1e-2);
-  EXPECT_NEAR(power(shared, 14, 14), 1.0, 2e-3);
-  EXPECT_NEAR(power(shared, 15, 12), 1e-3, 1e-6);
+  EXPECT_NEAR(texel_power(shared, 12, 12), 768.0 + 256.0 * 36.0 / 256.0, 1e-2);
+  EXPECT_NEAR(texel_power(shared, 13, 12), 24.0, 1e-2);
+  EXPECT_NEAR(texel_power(shared, 13, 11), 16.0, 1e-2);
+  EXPECT_NEAR(texel_power(shared, 10, 12), 6.0, 1e-2);
+  EXPECT_NEAR(texel_power(shared, 14, 14), 1.0, 2e-3);
+  EXPECT_NEAR(texel_power(shared, 15, 12), 1e-3, 1e-6);
 }
 
 // What no second ray has confirmed is all in doubt, and no more than all.
 TEST(NoiseSharing, NoMoreIsGivenThanThereIs) {
   NoisyTexels texels = evenly_lit(1e-3F);
   put(texels, 12, 12, 256.0F, 1000.0);
-  EXPECT_NEAR(power(with_noise_shared(texels, 1), 12, 12), 36.0, 1e-2);
+  EXPECT_NEAR(texel_power(with_noise_shared(texels, 1), 12, 12), 36.0, 1e-2);
 }
 
 // Of eight neighbours in a row with what is lit, those beyond its edge have fewer lit ones about them and get less.
@@ -100,21 +100,21 @@ TEST(NoiseSharing, DarkGroundGetsLess) {
   put(texels, 12, 12, 100.0F, 100.0);
   const NoisyTexels shared = with_noise_shared(texels, 1);
   // Lit around: all nine at column 11, six at 12, three at 13, none at 14.
-  EXPECT_NEAR(power(shared, 11, 12) / power(shared, 13, 12), 3.0, 1e-3);
-  EXPECT_GT(power(shared, 13, 12), 1.0);
-  EXPECT_EQ(power(shared, 14, 12), 0.0);
+  EXPECT_NEAR(texel_power(shared, 11, 12) / texel_power(shared, 13, 12), 3.0, 1e-3);
+  EXPECT_GT(texel_power(shared, 13, 12), 1.0);
+  EXPECT_EQ(texel_power(shared, 14, 12), 0.0);
 }
 
 TEST(NoiseSharing, APatchsEdgeKeepsItsPower) {
   NoisyTexels texels = evenly_lit(1e-3F);
   put(texels, 0, side - 1, 64.0F, 64.0);
   const NoisyTexels shared = with_noise_shared(texels, 1);
-  EXPECT_NEAR(total(shared)[0] / total(texels)[0], 1.0, 1e-6);
+  EXPECT_NEAR(channel_sums(shared)[0] / channel_sums(texels)[0], 1.0, 1e-6);
   // Mirrored at the rim, the weights from there on are 6 + 4, 4 + 1 and 1.
-  EXPECT_NEAR(power(shared, 0, side - 1), 64.0 * 100.0 / 256.0, 1e-2);
-  EXPECT_NEAR(power(shared, 1, side - 1), 64.0 * 50.0 / 256.0, 1e-2);
-  EXPECT_NEAR(power(shared, 1, side - 2), 64.0 * 25.0 / 256.0, 1e-2);
-  EXPECT_NEAR(power(shared, 2, side - 1), 64.0 * 10.0 / 256.0, 1e-2);
+  EXPECT_NEAR(texel_power(shared, 0, side - 1), 64.0 * 100.0 / 256.0, 1e-2);
+  EXPECT_NEAR(texel_power(shared, 1, side - 1), 64.0 * 50.0 / 256.0, 1e-2);
+  EXPECT_NEAR(texel_power(shared, 1, side - 2), 64.0 * 25.0 / 256.0, 1e-2);
+  EXPECT_NEAR(texel_power(shared, 2, side - 1), 64.0 * 10.0 / 256.0, 1e-2);
 }
 
 // No line of dark texels runs along the rim, which neighbouring patches would show as a seam.
@@ -142,7 +142,7 @@ TEST(NoiseSharing, WhatNoSecondRayConfirmsStaysUnsure) {
   NoisyTexels texels = evenly_lit(1.0F);
   std::ranges::fill(texels.variance.values(), 1.0);
   const NoisyTexels shared = with_noise_shared(texels, 1);
-  EXPECT_NEAR(power(shared, 12, 12), 1.0, 1e-6);
+  EXPECT_NEAR(texel_power(shared, 12, 12), 1.0, 1e-6);
   EXPECT_NEAR(relative_error(shared, 12, 12), 1.0, 1e-6);
 }
 
@@ -154,7 +154,7 @@ TEST(NoiseSharing, WhatManyGaveIsSurer) {
   const NoisyTexels shared = with_noise_shared(texels, 1);
   // Σ b² / 256² but for its own share: (70² − 36²) / 256², of a power of 1 + (1 − 36 / 256).
   EXPECT_NEAR(shared.variance(12, 12), (70.0 * 70.0 - 36.0 * 36.0) / (256.0 * 256.0), 1e-6);
-  EXPECT_NEAR(power(shared, 12, 12), 2.0 - 36.0 / 256.0, 1e-6);
+  EXPECT_NEAR(texel_power(shared, 12, 12), 2.0 - 36.0 / 256.0, 1e-6);
 }
 
 TEST(NoiseSharing, ThreadsChangeNothing) {

@@ -11,31 +11,32 @@
 namespace sigmascape::bake {
 namespace {
 
-constexpr double side_m = 128.0;
+constexpr double slope_side_m = 128.0;
 
 /// Ground of the given heights under one tower in the middle.
 template <typename Height>
 scene::Scene tower_on(const Height& height_at, Vec3f size_m) {
   scene::Scene scene;
   scene.name = "tower";
-  scene.extent = {0.0, 0.0, side_m, side_m};
+  scene.extent = {0.0, 0.0, slope_side_m, slope_side_m};
   constexpr double spacing_m = 2.0;
-  scene.terrain = {0.0, side_m, spacing_m, Array2D<float>(65, 65)};
+  scene.terrain = {0.0, slope_side_m, spacing_m, Array2D<float>(65, 65)};
   for (std::size_t row = 0; row < 65; ++row) {
     for (std::size_t column = 0; column < 65; ++column)
       scene.terrain.height_m(column, row) =
-          static_cast<float>(height_at(side_m - spacing_m * static_cast<double>(row)));
+          static_cast<float>(height_at(slope_side_m - spacing_m * static_cast<double>(row)));
   }
   const scatter::Material ground{.name = "ground", .model = scatter::LambertParameters{1e-4, {0.1, 0.5}}, .source = {}};
   const scatter::Material wall{.name = "wall", .model = scatter::LambertParameters{0.9, {0.1, 0.5}}, .source = {}};
-  scene.ground = {{0.0, side_m, side_m, 1, 1}, Array2D<scene::MaterialIndex>(1, 1, scene.material_index(ground))};
+  scene.ground = {{0.0, slope_side_m, slope_side_m, 1, 1},
+                  Array2D<scene::MaterialIndex>(1, 1, scene.material_index(ground))};
   scene.prototypes.push_back(scene::box_mesh(size_m, scene.material_index(wall)));
   scene.instances.push_back({.x_m = 64.0, .y_m = 64.0});
   return scene;
 }
 
 /// From the north, direct echoes alone.
-BakeSettings settings_of(double elevation_deg, trace::Footing footing) {
+BakeSettings settings_from_north(double elevation_deg, trace::Footing footing) {
   BakeSettings settings;
   settings.aspects = {{0.0}, {radians_from_deg(elevation_deg)}, {10e9}};
   settings.patches = {1.0, 256};
@@ -46,7 +47,7 @@ BakeSettings settings_of(double elevation_deg, trace::Footing footing) {
 }
 
 BakedLook look_of(const scene::Scene& scene, double elevation_deg, trace::Footing footing) {
-  const BakeSettings settings = settings_of(elevation_deg, footing);
+  const BakeSettings settings = settings_from_north(elevation_deg, footing);
   const LookBaker baker(scene, settings);
   SilentProgress silent;
   return baker.bake({0, 0}, settings.aspects.look(0).aspect, silent).front();
@@ -102,7 +103,7 @@ TEST(OwnGround, TexelsBehindARidgeKnowWhatStandsBesideThePatch) {
   constexpr double elevation_deg = 10.0, foot_m = 65.7, edge_m = 66.0;
   const double ridge_m = 8.0 + (94.0 - foot_m) * std::tan(radians_from_deg(elevation_deg));
   const auto scene = tower_on([&](double y) { return std::abs(y - 96.0) < 3.0 ? ridge_m : 0.0; }, {4.0F, 3.4F, 16.0F});
-  const BakeSettings settings = settings_of(elevation_deg, trace::Footing::Terrain);
+  const BakeSettings settings = settings_from_north(elevation_deg, trace::Footing::Terrain);
   const LookBaker baker(scene, settings);
   const radar::Aspect aspect = settings.aspects.look(0).aspect;
   SilentProgress silent;

@@ -9,13 +9,13 @@
 namespace sigmascape::bake {
 namespace {
 
-constexpr radar::GroundGrid texels{.west_m = -64, .north_m = 64, .cell_m = 1.0, .columns = 128, .rows = 128};
+constexpr radar::GroundGrid metre_texels{.west_m = -64, .north_m = 64, .cell_m = 1.0, .columns = 128, .rows = 128};
 
 double mean_of(const Array2D<radar::Channels>& sigma0, const radar::Rectangle& area) {
   double sum = 0.0, count = 0.0;
-  for (std::size_t row = 0; row < texels.rows; ++row) {
-    for (std::size_t column = 0; column < texels.columns; ++column) {
-      if (!area.contains(texels.centre_of(column, row))) continue;
+  for (std::size_t row = 0; row < metre_texels.rows; ++row) {
+    for (std::size_t column = 0; column < metre_texels.columns; ++column) {
+      if (!area.contains(metre_texels.centre_of(column, row))) continue;
       sum += static_cast<double>(sigma0(column, row).power(radar::Polarization::Sum));
       count += 1.0;
     }
@@ -30,7 +30,7 @@ TEST(PaperBaker, ShadowsAreInTheTexturesAndLayoverBeforeTheObject) {
   BakeSettings settings;
   settings.sampling.samples_per_texel = 16;
   const PaperBaker baker(scene, settings);
-  const auto sigma0 = baker.bake(texels, {pi, std::atan2(12.0, 20.0)});
+  const auto sigma0 = baker.bake(metre_texels, {pi, std::atan2(12.0, 20.0)});
   const double open = mean_of(sigma0, {-30, -50, -10, -30});
   EXPECT_GT(open, 0.0);
   EXPECT_LT(mean_of(sigma0, {-28, 10, -12, 24}), 0.05 * open);

@@ -15,7 +15,7 @@
 namespace sigmascape::bake {
 namespace {
 
-BakeSettings settings_of(double texel_m) {
+BakeSettings settings_with_texels(double texel_m) {
   BakeSettings settings;
   settings.aspects = {{0.0}, {radians_from_deg(10.0), radians_from_deg(40.0)}, {10e9}};
   settings.patches = {texel_m, 256};
@@ -24,7 +24,7 @@ BakeSettings settings_of(double texel_m) {
 
 /// Of the patch north-east of the origin, as it is launched before rays are spared.
 double launched(const scene::Scene& scene, double texel_m) {
-  const BakeSettings settings = settings_of(texel_m);
+  const BakeSettings settings = settings_with_texels(texel_m);
   const double side_m = std::min(64.0, settings.patches.side_m());
   const radar::Rectangle target{0.0, 0.0, side_m, side_m};
   const auto viewpoint = trace::Viewpoint::distant({0.0, settings.aspects.elevations_rad.front()});
@@ -39,21 +39,21 @@ TEST(PatchRoom, CellsOfAPatchAreKnownWithoutLayingThemOut) {
   const scene::Scene scene = scene::simple_scene();  // 128 m about the origin
   for (const double texel_m : {0.125, 0.25}) {
     const double expected = launched(scene, texel_m);
-    EXPECT_NEAR(cells_of_a_patch(scene, settings_of(texel_m)), expected, 0.15 * expected) << texel_m;
+    EXPECT_NEAR(cells_of_a_patch(scene, settings_with_texels(texel_m)), expected, 0.15 * expected) << texel_m;
   }
 }
 
 TEST(PatchRoom, TexelsSoSmallThatMemoryRunsOutAreRefused) {
   const scene::Scene scene = scene::simple_scene();
-  EXPECT_NO_THROW(check_room(scene, settings_of(0.5), 1e9));
-  EXPECT_THAT(message_of_error([&] { check_room(scene, settings_of(0.001), 64e9); }),
+  EXPECT_NO_THROW(check_room(scene, settings_with_texels(0.5), 1e9));
+  EXPECT_THAT(message_of_error([&] { check_room(scene, settings_with_texels(0.001), 64e9); }),
               testing::AllOf(testing::HasSubstr("bake settings: with texels of 0.001 m a patch sends rays to"),
                              testing::HasSubstr("use larger texels")));
-  EXPECT_THROW(check_room(scene, settings_of(1e-3)), Error) << "whatever this machine has";
+  EXPECT_THROW(check_room(scene, settings_with_texels(1e-3)), Error) << "whatever this machine has";
 }
 
 TEST(PatchRoom, PatchesOfSoManyTexelsThatMemoryRunsOutAreRefused) {
-  BakeSettings settings = settings_of(0.5);
+  BakeSettings settings = settings_with_texels(0.5);
   settings.patches.texels_per_side = 16384;
   settings.aspects.frequencies_hz = {1e9, 3e9, 10e9};
   scene::Scene scene = scene::simple_scene();  // on level ground
@@ -77,10 +77,10 @@ TEST(PatchRoom, PatchesOfSoManyTexelsThatMemoryRunsOutAreRefused) {
 }
 
 TEST(BakeSettings, PatchesFitIntoALocalFrame) {
-  EXPECT_NO_THROW(check(settings_of(3900.0)));
-  EXPECT_THAT(message_of_error([] { check(settings_of(0.001)); }),
+  EXPECT_NO_THROW(check(settings_with_texels(3900.0)));
+  EXPECT_THAT(message_of_error([] { check(settings_with_texels(0.001)); }),
               testing::HasSubstr("bake settings: texels of 0.001 m; use texels of 0.01 m or more"));
-  EXPECT_THAT(message_of_error([] { check(settings_of(1e6)); }),
+  EXPECT_THAT(message_of_error([] { check(settings_with_texels(1e6)); }),
               testing::HasSubstr("texels of 1e+06 m make patches of 256000 km; use texels of 3906.25 m or less"));
 }
 

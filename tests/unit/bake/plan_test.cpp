@@ -34,7 +34,7 @@ scene::Scene scene_with_tower(double side_m) {
 }
 
 /// So many azimuths, and patches of 512 m.
-BakeSettings settings_with(unsigned azimuths) {
+BakeSettings settings_with_azimuths(unsigned azimuths) {
   BakeSettings settings;
   settings.aspects = {{}, {radians_from_deg(15.0), radians_from_deg(40.0)}, {10e9}};
   for (unsigned i = 0; i < azimuths; ++i)
@@ -67,7 +67,7 @@ BakePlan planned(const scene::Scene& scene, const BakeSettings& settings, const 
 TEST(BakePlan, CountsTheCellsOfEachOfAFewJobs) {
   const ScratchFolder folder;
   const scene::Scene scene = scene_with_tower(1000.0);
-  const BakeSettings settings = settings_with(3);
+  const BakeSettings settings = settings_with_azimuths(3);
   const BakePlan whole = planned(scene, settings, folder.path("none"));
   EXPECT_EQ(whole.jobs, 4U * 3U * 2U);
   EXPECT_EQ(whole.jobs_counted, whole.jobs);
@@ -89,7 +89,7 @@ TEST(BakePlan, CountsTheCellsOfEachOfAFewJobs) {
 TEST(BakePlan, OfManyJobsSomeStandForTheOthers) {
   const ScratchFolder folder;
   const scene::Scene scene = scene_with_tower(2300.0);
-  const BakeSettings settings = settings_with(8);
+  const BakeSettings settings = settings_with_azimuths(8);
   const BakePlan many = planned(scene, settings, folder.path("none"));
   EXPECT_EQ(many.jobs, 25U * 8U * 2U);
   EXPECT_EQ(many.looks, many.jobs);
@@ -103,7 +103,7 @@ TEST(BakePlan, OfManyJobsSomeStandForTheOthers) {
 TEST(BakePlan, OfWhatIsThereNothingIsLeft) {
   const ScratchFolder folder;
   const scene::Scene scene = scene_with_tower(100.0);
-  const BakeSettings settings = settings_with(2);
+  const BakeSettings settings = settings_with_azimuths(2);
   SilentProgress silent;
   bake(scene, settings, folder.path("a"), silent,
        {.shard = {.index = 0, .count = 2}, .scrutiny = atlas::Scrutiny::Size});
@@ -120,7 +120,7 @@ TEST(BakePlan, OfWhatIsThereNothingIsLeft) {
 }
 
 /// Takes down what it hears.
-class Listener final : public ProgressListener {
+class TrialListener final : public ProgressListener {
  public:
   void advanced(std::string_view task, double done, double total, std::string_view unit) override {
     EXPECT_EQ(task, "plan");
@@ -133,8 +133,8 @@ class Listener final : public ProgressListener {
 
 TEST(BakePlan, TellsHowFarItsTrialsAre) {
   const ScratchFolder folder;
-  Listener listener;
-  static_cast<void>(plan(scene_with_tower(100.0), settings_with(2), folder.path("none"), listener));
+  TrialListener listener;
+  static_cast<void>(plan(scene_with_tower(100.0), settings_with_azimuths(2), folder.path("none"), listener));
   ASSERT_FALSE(listener.told.empty());
   EXPECT_TRUE(std::ranges::is_sorted(listener.told));
   EXPECT_EQ(listener.told.front(), 0.0);
@@ -147,8 +147,9 @@ TEST(BakePlan, IsRefusedWhereTheBakeWouldBe) {
   const ScratchFolder folder;
   std::filesystem::create_directories(folder.path("a"));
   std::ofstream(folder.path("a") / "dataset.json") << "{}";
-  EXPECT_EQ(message_of_error(
-                [&] { static_cast<void>(planned(scene_with_tower(100.0), settings_with(2), folder.path("a"))); }),
+  EXPECT_EQ(message_of_error([&] {
+              static_cast<void>(planned(scene_with_tower(100.0), settings_with_azimuths(2), folder.path("a")));
+            }),
             folder.path("a").string() + ": holds a dataset; choose an empty folder");
 }
 

@@ -45,7 +45,7 @@ class MadeTile : public trace::TilePaths {
   std::array<radar::Echo, 2> echoes_{echo_of(1.0F, 1), echo_of(2.0F, 2)};
 };
 
-constexpr radar::GroundGrid texels{-8.0, 8.0, 16.0, 1, 1};
+constexpr radar::GroundGrid one_texel{-8.0, 8.0, 16.0, 1, 1};
 
 /// What one texel of 256 m² gets of a tile.
 struct Sampled {
@@ -53,7 +53,7 @@ struct Sampled {
 };
 Sampled sampled(MadeTile& tile, const Sampling& sampling) {
   std::vector<PatchSums> patch;
-  patch.push_back({receiver::GroundAccumulator(texels), {}});
+  patch.push_back({receiver::GroundAccumulator(one_texel), {}});
   const EchoLanding landing({0.0, radians_from_deg(45.0)});
   const BakeSettings settings{.sampling = sampling, .shadows = Shadows::Baked};
   TileSampler(settings, landing, patch).sample(tile, 1.0);
@@ -68,7 +68,7 @@ TEST(TileSampler, OfACellOfManySamplesSomeAreFollowedAtATime) {
     const Sampled texel = sampled(tile, {.samples_per_texel = samples});
     EXPECT_EQ(tile.followed, 3U * samples);
     EXPECT_LE(tile.most_at_once, 16'384U);
-    EXPECT_NEAR(texel.sigma0, 3.0 * (n + 2.0 * odd) / n / texels.cell_area_m2(), 1e-6) << samples;
+    EXPECT_NEAR(texel.sigma0, 3.0 * (n + 2.0 * odd) / n / one_texel.cell_area_m2(), 1e-6) << samples;
   }
 }
 
@@ -79,7 +79,7 @@ TEST(TileSampler, PilotsCountAmongTheSamplesOfACell) {
   const Sampled texel = sampled(tile, {.target_db = db_from_linear(1.0 + target), .most_samples = most_samples_a_cell});
   EXPECT_NEAR(static_cast<double>(tile.followed), 3.0 * wanted, 3.0 * 2.0);
   EXPECT_LE(tile.most_at_once, 16'384U);
-  EXPECT_NEAR(texel.sigma0, 3.0 * 2.0 / texels.cell_area_m2(), 1e-6);
+  EXPECT_NEAR(texel.sigma0, 3.0 * 2.0 / one_texel.cell_area_m2(), 1e-6);
 }
 
 }  // namespace

@@ -17,7 +17,7 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::StartsWith;
 
-constexpr radar::Rectangle extent{-3000, -3000, 3000, 3000};
+constexpr radar::Rectangle terrain_extent{-3000, -3000, 3000, 3000};
 
 /// Level, but for one corner.
 terrain::HeightField terrain_up_to(float highest_m) {
@@ -27,11 +27,11 @@ terrain::HeightField terrain_up_to(float highest_m) {
 }
 
 std::vector<std::string> warnings_of(const DatasetSpec& spec) {
-  return dataset_warnings(spec, terrain_up_to(0.0F), extent);
+  return dataset_warnings(spec, terrain_up_to(0.0F), terrain_extent);
 }
 
 /// Cells of 4 m, a pulse as wide, and a beam of 4.2 m at 15 km, two-way.
-DatasetSpec example() {
+DatasetSpec fitting_spec() {
   DatasetSpec spec;
   spec.file = "spec.toml";
   spec.radar.radar.range_resolution_m = 4.0;
@@ -47,7 +47,7 @@ DatasetSpec example() {
 }
 
 TEST(DatasetWarnings, AreOfTheFinestBeamAndPulseThatMayBeDrawn) {
-  DatasetSpec spec = example();
+  DatasetSpec spec = fitting_spec();
   EXPECT_THAT(warnings_of(spec), IsEmpty());
   spec.radar_ranges.beam_width_rad = {radians_from_deg(0.011), radians_from_deg(0.03)};
   EXPECT_THAT(warnings_of(spec), ElementsAre(StartsWith("in maps 15 km away the beam of 1.97")));
@@ -63,7 +63,7 @@ TEST(DatasetWarnings, AreOfTheFinestBeamAndPulseThatMayBeDrawn) {
 
 /// A pattern whose peak was left at the horizon.
 TEST(DatasetWarnings, AreOfABeamThatPointsOverTheMaps) {
-  DatasetSpec spec = example();
+  DatasetSpec spec = fitting_spec();
   spec.radar.radar.antenna.elevation = radar::GaussianBeam{};
   spec.radar.radar.antenna.elevation_width_rad = radians_from_deg(4.0);
   EXPECT_THAT(warnings_of(spec),
@@ -73,7 +73,7 @@ TEST(DatasetWarnings, AreOfABeamThatPointsOverTheMaps) {
 }
 
 TEST(DatasetWarnings, AreOfTheNearestMapsAndTellOfTheFarthestWhatIsWrongThere) {
-  DatasetSpec spec = example();
+  DatasetSpec spec = fitting_spec();
   spec.slant_range_m = {10e3, 20e3};
   spec.radar.radar.receiver.last_range_m = 12e3;
   EXPECT_THAT(warnings_of(spec), ElementsAre(StartsWith("in maps 10 km away the beam of 2.7"),
@@ -83,7 +83,7 @@ TEST(DatasetWarnings, AreOfTheNearestMapsAndTellOfTheFarthestWhatIsWrongThere) {
 }
 
 TEST(DatasetWarnings, FollowARadarThatFliesUpToItsMap) {
-  DatasetSpec spec = example();
+  DatasetSpec spec = fitting_spec();
   spec.azimuth_rad = {0.0, 0.0};
   spec.slant_range_m = {15e3, 15e3};
   spec.sequence = {.frames = 4, .interval_s = 10.0, .speed_mps = {150.0, 150.0}, .course_rad = {0.0, 0.0}};
@@ -99,7 +99,7 @@ TEST(DatasetWarnings, AreNoneOfTheExampleOfSanFrancisco) {
   DatasetSpec spec =
       read_dataset_spec(std::filesystem::path(SIGMASCAPE_SOURCE_DIR) / "examples/datasets/san_francisco.toml");
   ::unsetenv("SIGMASCAPE_ATLAS");
-  const auto warnings = [&] { return dataset_warnings(spec, terrain_up_to(280.0F), extent); };
+  const auto warnings = [&] { return dataset_warnings(spec, terrain_up_to(280.0F), terrain_extent); };
   EXPECT_THAT(warnings(), IsEmpty());
   ASSERT_TRUE(spec.radar_ranges.beam_width_rad);
   spec.radar_ranges.beam_width_rad.reset();

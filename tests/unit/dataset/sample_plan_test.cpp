@@ -10,7 +10,7 @@
 namespace sigmascape::dataset {
 namespace {
 
-DatasetSpec example() {
+DatasetSpec spec_of_cars() {
   DatasetSpec spec;
   spec.file = "spec.toml";
   spec.cells = 50;
@@ -21,11 +21,11 @@ DatasetSpec example() {
   spec.targets = {{.name = "car", .number = {0.0, 3.0}, .rcs_db = {0.0, 10.0}, .size_m = 0.0, .height_m = 1.0}};
   return spec;
 }
-constexpr radar::Rectangle extent{0.0, 0.0, 300.0, 200.0};
+constexpr radar::Rectangle scene_extent{0.0, 0.0, 300.0, 200.0};
 
 TEST(SamplePlan, DrawsEvenlyWithinItsRangesAndKeepsMapsInTheScene) {
-  const DatasetSpec spec = example();
-  const radar::Rectangle centres = centres_of(spec, extent);
+  const DatasetSpec spec = spec_of_cars();
+  const radar::Rectangle centres = centres_of(spec, scene_extent);
   double azimuths = 0.0;
   std::array<int, 5> numbers{};
   for (std::size_t i = 0; i < 4000; ++i) {
@@ -48,8 +48,8 @@ TEST(SamplePlan, DrawsEvenlyWithinItsRangesAndKeepsMapsInTheScene) {
 }
 
 TEST(SamplePlan, DependsOnSeedAndNumberAlone) {
-  DatasetSpec spec = example();
-  const radar::Rectangle centres = centres_of(spec, extent);
+  DatasetSpec spec = spec_of_cars();
+  const radar::Rectangle centres = centres_of(spec, scene_extent);
   EXPECT_EQ(plan_of(spec, centres, 5).azimuth_rad, plan_of(spec, centres, 5).azimuth_rad);
   EXPECT_NE(plan_of(spec, centres, 5).azimuth_rad, plan_of(spec, centres, 6).azimuth_rad);
   const double before = plan_of(spec, centres, 5).azimuth_rad;
@@ -60,12 +60,12 @@ TEST(SamplePlan, DependsOnSeedAndNumberAlone) {
 }
 
 TEST(SamplePlan, FramesOfASequenceShareWhatIsDrawnAndTargetsDriveOn) {
-  DatasetSpec spec = example();
+  DatasetSpec spec = spec_of_cars();
   spec.sequence = {.frames = 4, .interval_s = 2.0, .speed_mps = {100.0, 150.0}, .course_rad = {0.0, 6.0}};
   spec.targets[0].number = {3.0, 3.0};
   spec.targets[0].speed_mps = {5.0, 10.0};
   spec.targets[0].heading_rad = {0.0, 6.0};
-  const radar::Rectangle centres = centres_of(spec, extent);
+  const radar::Rectangle centres = centres_of(spec, scene_extent);
   const SamplePlan first = plan_of(spec, centres, 4), third = plan_of(spec, centres, 6),
                    other = plan_of(spec, centres, 8);
   EXPECT_EQ(first.sequence, 1U);
@@ -89,13 +89,13 @@ TEST(SamplePlan, FramesOfASequenceShareWhatIsDrawnAndTargetsDriveOn) {
 }
 
 TEST(SamplePlan, DrawsRadarsNoiseAndPlacesOfTargets) {
-  DatasetSpec spec = example();
+  DatasetSpec spec = spec_of_cars();
   spec.radar_ranges.range_resolution_m = Range{2.0, 4.0};
   spec.noise_sigma0_db = Range{-40.0, -30.0};
   spec.targets[0].number = {2.0, 2.0};
   spec.targets[0].east_m = Range{-10.0, 10.0};
   spec.targets[0].north_m = Range{20.0, 30.0};
-  const radar::Rectangle centres = centres_of(spec, extent);
+  const radar::Rectangle centres = centres_of(spec, scene_extent);
   double finest = 9.0, coarsest = 0.0;
   for (std::size_t i = 0; i < 500; ++i) {
     const SamplePlan plan = plan_of(spec, centres, i);
@@ -112,12 +112,13 @@ TEST(SamplePlan, DrawsRadarsNoiseAndPlacesOfTargets) {
 }
 
 TEST(SamplePlan, RefusesMapsThatDoNotFit) {
-  DatasetSpec spec = example();
+  DatasetSpec spec = spec_of_cars();
   spec.target_east_m = Range{10.0, 100.0};
-  EXPECT_NE(message_of_error([&] { (void)centres_of(spec, extent); }).find("stay within 50.0 and 250.0"),
+  EXPECT_NE(message_of_error([&] { (void)centres_of(spec, scene_extent); }).find("stay within 50.0 and 250.0"),
             std::string::npos);
   spec.cells = 101;
-  EXPECT_NE(message_of_error([&] { (void)centres_of(spec, extent); }).find("larger than the scene"), std::string::npos);
+  EXPECT_NE(message_of_error([&] { (void)centres_of(spec, scene_extent); }).find("larger than the scene"),
+            std::string::npos);
 }
 
 }  // namespace

@@ -5,7 +5,6 @@
 #include <fstream>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <iterator>
 #include <mutex>
 #include <stdexcept>
 #include <string>
@@ -14,17 +13,13 @@
 #include <unistd.h>
 #include <vector>
 
+#include "bytes_of.h"
 #include "full_disk.h"
 
 #include "sigmascape/base/error.h"
 
 namespace sigmascape::geo {
 namespace {
-
-std::string content_of(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
 
 /// A folder of its own for each test.
 class AtomicFile : public testing::Test {
@@ -49,7 +44,7 @@ class AtomicFile : public testing::Test {
 TEST_F(AtomicFile, HoldsWhatWasWrittenAndNothingElseIsLeft) {
   const std::string content("one\0two\n", 8);
   write_atomically(folder_ / "a.txt", content);
-  EXPECT_EQ(content_of(folder_ / "a.txt"), content);
+  EXPECT_EQ(bytes_of(folder_ / "a.txt"), content);
   EXPECT_EQ(files(), 1U);
 }
 
@@ -58,16 +53,16 @@ TEST_F(AtomicFile, GrowsUnderAnotherNameUntilItIsWhole) {
   {
     GrowingFile broken_off(folder_ / "a.txt");
     broken_off.append("half of it");
-    EXPECT_EQ(content_of(folder_ / "a.txt"), "before");
+    EXPECT_EQ(bytes_of(folder_ / "a.txt"), "before");
     EXPECT_EQ(files(), 2U);
   }
-  EXPECT_EQ(content_of(folder_ / "a.txt"), "before");
+  EXPECT_EQ(bytes_of(folder_ / "a.txt"), "before");
   EXPECT_EQ(files(), 1U);
   GrowingFile whole(folder_ / "deep" / "a.txt");
   for (const char* piece : {"one", " and ", "two"}) whole.append(piece);
   EXPECT_FALSE(std::filesystem::exists(folder_ / "deep" / "a.txt"));
   whole.put_in_place();
-  EXPECT_EQ(content_of(folder_ / "deep" / "a.txt"), "one and two");
+  EXPECT_EQ(bytes_of(folder_ / "deep" / "a.txt"), "one and two");
 }
 
 TEST_F(AtomicFile, ThatGrowsTellsOfAFullDisk) {
@@ -80,7 +75,7 @@ TEST_F(AtomicFile, ThatGrowsTellsOfAFullDisk) {
 
 TEST_F(AtomicFile, MakesTheFoldersOnItsWay) {
   write_atomically(folder_ / "deep" / "er" / "a.txt", "x");
-  EXPECT_EQ(content_of(folder_ / "deep" / "er" / "a.txt"), "x");
+  EXPECT_EQ(bytes_of(folder_ / "deep" / "er" / "a.txt"), "x");
 }
 
 TEST_F(AtomicFile, OfManyThatWriteWhatIsAbsentOneIsFirst) {
@@ -101,9 +96,9 @@ TEST_F(AtomicFile, OfManyThatWriteWhatIsAbsentOneIsFirst) {
       }
     }
     ASSERT_EQ(first.size(), 1U);
-    EXPECT_EQ(content_of(path), first.front());
+    EXPECT_EQ(bytes_of(path), first.front());
     EXPECT_FALSE(write_if_absent(path, "five"));
-    EXPECT_EQ(content_of(path), first.front());
+    EXPECT_EQ(bytes_of(path), first.front());
   }
   EXPECT_EQ(files(), 20U) << "nothing is left beside them";
 }
@@ -115,7 +110,7 @@ TEST_F(AtomicFile, AFailingWriterLeavesTheOldFileAndNoOther) {
     throw std::runtime_error("interrupted");
   };
   EXPECT_THROW(write_atomically(folder_ / "a.txt", half_way), std::runtime_error);
-  EXPECT_EQ(content_of(folder_ / "a.txt"), "old");
+  EXPECT_EQ(bytes_of(folder_ / "a.txt"), "old");
   EXPECT_EQ(files(), 1U);
 }
 
@@ -145,8 +140,8 @@ TEST_F(AtomicFile, AFullDiskGivesOneSentenceAndLeavesNothing) {
 
 TEST_F(AtomicFile, OfFilesThatBelongTogetherAFullDiskLeavesNone) {
   write_together({{folder_ / "a.json", "{}"}, {folder_ / "deep" / "a.npy", "numbers"}});
-  EXPECT_EQ(content_of(folder_ / "a.json"), "{}");
-  EXPECT_EQ(content_of(folder_ / "deep" / "a.npy"), "numbers");
+  EXPECT_EQ(bytes_of(folder_ / "a.json"), "{}");
+  EXPECT_EQ(bytes_of(folder_ / "deep" / "a.npy"), "numbers");
   std::filesystem::remove_all(folder_);
   std::filesystem::create_directories(folder_);
 
@@ -165,7 +160,7 @@ TEST_F(AtomicFile, OfFilesThatBelongTogetherTheFormerOnesStandAgain) {
   std::filesystem::create_directories(folder_ / "a.npy" / "occupied");
   EXPECT_THROW(write_together({{folder_ / "new.json", "{}"}, {folder_ / "a.json", "{}"}, {folder_ / "a.npy", "x"}}),
                Error);
-  EXPECT_EQ(content_of(folder_ / "a.json"), "old");
+  EXPECT_EQ(bytes_of(folder_ / "a.json"), "old");
   EXPECT_EQ(files(), 2U) << "neither a new name nor a temporary one";
 }
 
@@ -179,8 +174,8 @@ TEST_F(AtomicFile, LinksStayAndWhatTheyLeadToIsWritten) {
   const auto expect_written = [&](const char* content) {
     EXPECT_TRUE(std::filesystem::is_symlink(first) && std::filesystem::is_symlink(link));
     EXPECT_FALSE(std::filesystem::is_symlink(there / "a.txt"));
-    EXPECT_EQ(content_of(there / "a.txt"), content);
-    EXPECT_EQ(content_of(first), content);
+    EXPECT_EQ(bytes_of(there / "a.txt"), content);
+    EXPECT_EQ(bytes_of(first), content);
     EXPECT_EQ(files(), 3U) << "nothing is left beside them";
   };
   write_atomically(first, "one");
@@ -205,10 +200,10 @@ TEST_F(AtomicFile, LinksThatLeadToNothingYetAreWrittenToWhereTheyLead) {
   std::filesystem::create_symlink("there/a.txt", link);
   EXPECT_NO_THROW(check_place_for(link));
   EXPECT_TRUE(write_if_absent(link, "one"));
-  EXPECT_EQ(content_of(target), "one");
+  EXPECT_EQ(bytes_of(target), "one");
   std::filesystem::remove(target);
   write_atomically(link, "two");
-  EXPECT_EQ(content_of(target), "two");
+  EXPECT_EQ(bytes_of(target), "two");
   EXPECT_TRUE(std::filesystem::is_symlink(link));
 }
 
@@ -275,7 +270,7 @@ TEST_F(AtomicFile, ManyWritersOfOneNameNeverMix) {
     });
   }
   for (std::thread& writer : writers) writer.join();
-  const std::string content = content_of(path);
+  const std::string content = bytes_of(path);
   ASSERT_EQ(content.size(), 20000U);
   EXPECT_EQ(content, std::string(20000, content.front()));
   EXPECT_EQ(files(), 1U);
@@ -298,7 +293,7 @@ TEST_F(AtomicFile, WhatIsBeingWrittenIsNoLeftover) {
     remove_leftovers(folder_, "a");
     EXPECT_TRUE(std::filesystem::exists(temporary));
   });
-  EXPECT_EQ(content_of(folder_ / "a.txt"), "half");
+  EXPECT_EQ(bytes_of(folder_ / "a.txt"), "half");
 }
 
 // The process of that number may be alive on a host whose locks do not reach here.

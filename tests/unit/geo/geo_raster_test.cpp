@@ -5,10 +5,11 @@
 #include <fstream>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <iterator>
 #include <limits>
 #include <string>
 #include <unistd.h>
+
+#include "bytes_of.h"
 
 #include "sigmascape/base/error.h"
 #include "sigmascape/geo/atomic_file.h"
@@ -16,11 +17,6 @@
 
 namespace sigmascape::geo {
 namespace {
-
-std::string bytes_of(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
 
 class GeoRasterFile : public testing::Test {
  protected:

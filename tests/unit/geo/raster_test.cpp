@@ -11,6 +11,7 @@
 #include "peak_memory.h"
 #include "scratch_folder.h"
 #include "unit/geo/ascii_grid.h"
+#include "unit/geo/example_frame.h"
 
 namespace sigmascape::geo {
 namespace {
@@ -18,17 +19,16 @@ namespace {
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 
-const LocalFrame frame(43.312, -2.986);
 constexpr AsciiGrid utm{500'600.0, 4'795'000.0, 10.0, 100, 80};
 
 Vec2d utm_position(Vec2d in_frame) {
-  static const CoordinateTransform transform("EPSG:25830", frame, "test");
+  static const CoordinateTransform transform("EPSG:25830", example_frame, "test");
   transform.to_crs({&in_frame, 1});
   return in_frame;
 }
 
 Lattice lattice_inside(const Raster& raster, double spacing_m) {
-  const Extent extent = raster.outline_in(frame).extent_inside();
+  const Extent extent = raster.outline_in(example_frame).extent_inside();
   return {extent.west_m, extent.north_m, spacing_m,
           static_cast<std::size_t>((extent.east_m - extent.west_m) / spacing_m),
           static_cast<std::size_t>((extent.north_m - extent.south_m) / spacing_m)};
@@ -39,7 +39,7 @@ TEST(Raster, BilinearHeightsReproduceAPlaneExactly) {
   const auto plane = [](double x, double y) { return 0.02 * (x - 501'000.0) - 0.05 * (y - 4'795'400.0); };
   const Raster raster({folder.write("plane.asc", utm.text(plane)), 1, "EPSG:25830"});
   const Lattice lattice = lattice_inside(raster, 7.0);
-  const auto heights = raster.heights_on(lattice, frame);
+  const auto heights = raster.heights_on(lattice, example_frame);
   for (std::size_t row = 2; row + 2 < lattice.rows; ++row) {
     for (std::size_t column = 2; column + 2 < lattice.columns; ++column) {
       const Vec2d p = utm_position(
@@ -55,10 +55,10 @@ TEST(Raster, MeansOverCoarseCellsAreTheSameWhereverTheLatticeBegins) {
   const ScratchFolder folder;
   const auto plane = [](double x, double y) { return 0.3 * (x - 501'000.0) - 0.2 * (y - 4'795'400.0); };
   const Raster raster({folder.write("plane.asc", utm.text(plane)), 1, "EPSG:25830"});
-  const Extent extent = raster.outline_in(frame).extent_inside();
+  const Extent extent = raster.outline_in(example_frame).extent_inside();
   const Lattice whole{extent.west_m + 10.0, extent.north_m - 10.0, 80.0, 9, 7};
   const Lattice part{whole.west_m + 3.0 * 80.0, whole.north_m - 2.0 * 80.0, 80.0, 4, 4};
-  const auto in_whole = raster.heights_on(whole, frame), in_part = raster.heights_on(part, frame);
+  const auto in_whole = raster.heights_on(whole, example_frame), in_part = raster.heights_on(part, example_frame);
   for (std::size_t row = 0; row < part.rows; ++row) {
     for (std::size_t column = 0; column < part.columns; ++column) {
       const Vec2d p = utm_position(
@@ -77,14 +77,14 @@ TEST(Raster, GeographicRasterIsNotTransposed) {
                        })),
                        1, "EPSG:4326"});
   const Vec2d point{-100.0, 250.0};
-  const auto height = raster.heights_on({point.x, point.y, 1.0, 1, 1}, frame)(0, 0);
-  const auto place = place_on_globe(frame, point);
+  const auto height = raster.heights_on({point.x, point.y, 1.0, 1, 1}, example_frame)(0, 0);
+  const auto place = place_on_globe(example_frame, point);
   EXPECT_NEAR(static_cast<double>(height), 1e5 * (place.longitude_deg + 2.99) + 1e6 * (place.latitude_deg - 43.31),
               0.1);
   EXPECT_NEAR(raster.centre().latitude_deg, 43.315, 1e-6);
   EXPECT_NEAR(raster.centre().longitude_deg, -2.988, 1e-6);
   // 0.0002° is 22.2 m northward and cos 43.3° of that eastward.
-  EXPECT_NEAR(raster.cell_m(frame, {0.0, 300.0}), 22.26 * std::cos(43.315 * M_PI / 180.0), 0.05);
+  EXPECT_NEAR(raster.cell_m(example_frame, {0.0, 300.0}), 22.26 * std::cos(43.315 * M_PI / 180.0), 0.05);
 }
 
 /// Heights of a raster in degrees that rise eastward and northward, about a frame's origin.
@@ -214,7 +214,8 @@ TEST(Raster, AnswersInWhateverFrameItIsAskedIn) {
   const auto file = folder.write("slope.asc", utm.text([](double x, double y) { return 0.1 * (x - 5e5) + 1e-5 * y; }));
   const Raster raster({file, 1, "EPSG:25830"});
   const Lattice lattice{100.0, -100.0, 10.0, 20, 20};
-  for (const LocalFrame& asked : {frame, LocalFrame(43.311, -2.987), frame, LocalFrame(43.312, -2.987)}) {
+  for (const LocalFrame& asked :
+       {example_frame, LocalFrame(43.311, -2.987), example_frame, LocalFrame(43.312, -2.987)}) {
     const auto heights = raster.heights_on(lattice, asked),
                afresh = Raster({file, 1, "EPSG:25830"}).heights_on(lattice, asked);
     EXPECT_TRUE(std::ranges::equal(heights.values(), afresh.values()));
@@ -269,8 +270,8 @@ TEST(Raster, FineCellsUnderACoarseLatticeAreReadPieceByPiece) {
     const Raster raster({file, 1, ""});
     const Lattice lattice{-3000.0, 3000.0, 300.0, 21, 21};
     const long before_kib = peak_memory_kib();
-    const auto classes = raster.classes_on(lattice, frame);
-    const auto heights = raster.heights_on(lattice, frame);
+    const auto classes = raster.classes_on(lattice, example_frame);
+    const auto heights = raster.heights_on(lattice, example_frame);
     EXPECT_TRUE(!memory_is_ours || peak_memory_kib() - before_kib < 100'000);
     std::size_t covered = 0;
     for (std::size_t row = 0; row < lattice.rows; ++row) {
@@ -287,7 +288,7 @@ TEST(Raster, FineCellsUnderACoarseLatticeAreReadPieceByPiece) {
         ++covered;
         EXPECT_EQ(classes(column, row), static_cast<int>(right) + 100 * (14 - static_cast<int>(down)));
         if ((row + column) % 10 != 0) continue;
-        const double alone = raster.heights_on({point.x, point.y, 300.0, 1, 1}, frame)(0, 0);
+        const double alone = raster.heights_on({point.x, point.y, 300.0, 1, 1}, example_frame)(0, 0);
         EXPECT_NEAR(heights(column, row), alone, 1e-3 * alone + 0.01);
       }
     }
@@ -305,8 +306,8 @@ std::filesystem::path plain_at_100(const ScratchFolder& folder, const std::strin
 }
 
 float height_on(const Raster& raster) {
-  const Extent extent = raster.outline_in(frame).extent_inside();
-  return raster.heights_on({extent.west_m + 100.0, extent.north_m - 100.0, 10.0, 1, 1}, frame)(0, 0);
+  const Extent extent = raster.outline_in(example_frame).extent_inside();
+  return raster.heights_on({extent.west_m + 100.0, extent.north_m - 100.0, 10.0, 1, 1}, example_frame)(0, 0);
 }
 
 TEST(Raster, UnitsOfHeightsAreThoseOfTheBand) {
@@ -370,7 +371,7 @@ TEST(Raster, CoarseLatticeTakesTheMeanOfItsCell) {
   const auto stripes = [](double x, double) { return std::fmod(std::floor(x / 10.0), 2.0) == 0.0 ? 0.0 : 4.0; };
   const Raster raster({folder.write("stripes.asc", utm.text(stripes)), 1, "EPSG:25830"});
   const Lattice lattice = lattice_inside(raster, 40.0);
-  const auto heights = raster.heights_on(lattice, frame);
+  const auto heights = raster.heights_on(lattice, example_frame);
   EXPECT_NEAR(static_cast<double>(heights(5, 5)), 2.0, 0.3);
   EXPECT_NEAR(static_cast<double>(heights(8, 9)), 2.0, 0.3);
 }
@@ -379,7 +380,7 @@ TEST(Raster, NoDataReadsAsNaNAndSpoilsNoNeighbour) {
   const ScratchFolder folder;
   const auto holed = [](double x, double y) { return x > 501'000.0 && y > 4'795'400.0 ? std::nan("") : 50.0; };
   const Raster raster({folder.write("holed.asc", utm.text(holed)), 1, "EPSG:25830"});
-  const auto heights = raster.heights_on(lattice_inside(raster, 10.0), frame);
+  const auto heights = raster.heights_on(lattice_inside(raster, 10.0), example_frame);
   std::size_t holes = 0;
   for (const float height : heights.values()) {
     if (std::isnan(height)) {
@@ -395,8 +396,8 @@ TEST(Raster, OutsideIsNaNAndNoClass) {
   const ScratchFolder folder;
   const Raster raster({folder.write("flat.asc", utm.text([](double, double) { return 7.0; })), 1, "EPSG:25830"});
   const Lattice far_away{90'000.0, 90'000.0, 10.0, 3, 3};
-  EXPECT_TRUE(std::isnan(raster.heights_on(far_away, frame)(1, 1)));
-  EXPECT_EQ(raster.classes_on(far_away, frame)(1, 1), no_class);
+  EXPECT_TRUE(std::isnan(raster.heights_on(far_away, example_frame)(1, 1)));
+  EXPECT_EQ(raster.classes_on(far_away, example_frame)(1, 1), no_class);
 }
 
 TEST(Raster, ClassesAreThoseOfTheNearestCell) {
@@ -404,7 +405,7 @@ TEST(Raster, ClassesAreThoseOfTheNearestCell) {
   const auto classes = [](double x, double y) { return y > 4'795'400.0 ? (x > 501'000.0 ? 10.0 : 30.0) : 80.0; };
   const Raster raster({folder.write("classes.asc", utm.text(classes)), 1, "EPSG:25830"});
   const Lattice lattice = lattice_inside(raster, 3.0);
-  const auto read = raster.classes_on(lattice, frame);
+  const auto read = raster.classes_on(lattice, example_frame);
   for (std::size_t row = 0; row < lattice.rows; ++row) {
     for (std::size_t column = 0; column < lattice.columns; ++column) {
       const Vec2d p = utm_position(

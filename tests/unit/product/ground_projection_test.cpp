@@ -12,7 +12,7 @@ namespace {
 using radar::Channels;
 
 /// Fine bins about the origin for a radar at `position`, nothing in them.
-radar::RangeAzimuthImage empty_image(Vec3d position, double half_side_m, double step_m) {
+radar::RangeAzimuthImage empty_about_origin(Vec3d position, double half_side_m, double step_m) {
   const double range_m = length(position), ground_m = std::hypot(position.x, position.y);
   const auto count = static_cast<std::size_t>(2.0 * half_side_m / step_m);
   radar::RangeAzimuthImage image;
@@ -63,7 +63,7 @@ TEST(GroundMap, PointsComeBackAtTheirPlaceOnFlatAndSlopingGround) {
     for (const double azimuth_deg : {0.0, 130.0, 180.0, 275.0}) {
       const Vec3d position = radar::position_seeing({}, radians_from_deg(azimuth_deg), radians_from_deg(25.0), 5000.0);
       for (const Vec2d place : {Vec2d{0.3, 0.2}, {-33.4, 21.7}, {40.1, 38.8}}) {
-        auto image = empty_image(position, 100.0, 0.5);
+        auto image = empty_about_origin(position, 100.0, 0.5);
         add_point(image, {place.x, place.y, terrain.height_at(place)}, 1.0F);
         const radar::GroundMap map = ground_map(image, terrain, grid);
         Vec2d centre{};
@@ -91,7 +91,7 @@ TEST(GroundMap, UniformReflectivityReturnsItself) {
   constexpr float sigma0 = 0.03F;
   for (const double elevation_deg : {8.0, 30.0, 60.0}) {
     for (const double azimuth_deg : {0.0, 200.0}) {
-      auto image = empty_image(
+      auto image = empty_about_origin(
           radar::position_seeing({}, radians_from_deg(azimuth_deg), radians_from_deg(elevation_deg), 2000.0), 60.0,
           1.0);
       for (double x = -64.0; x < 64.0; x += piece_m) {
@@ -115,7 +115,7 @@ TEST(GroundMap, UniformReflectivityReturnsItself) {
 
 TEST(GroundMap, HeightLiesOverTowardsTheRadar) {
   const radar::GroundGrid grid{.west_m = -60, .north_m = 60, .cell_m = 1.0, .columns = 120, .rows = 120};
-  auto image = empty_image(radar::position_seeing({}, pi / 2.0, radians_from_deg(30.0), 20'000.0), 80.0, 0.5);
+  auto image = empty_about_origin(radar::position_seeing({}, pi / 2.0, radians_from_deg(30.0), 20'000.0), 80.0, 0.5);
   add_point(image, {0, 0, 30}, 1.0F);
   const radar::GroundMap map = ground_map(image, plane(0, 0), grid);
   double power = 0.0, east = 0.0;
@@ -131,7 +131,7 @@ TEST(GroundMap, HeightLiesOverTowardsTheRadar) {
 
 TEST(GroundMap, CellsOutsideTheBinsAreMissing) {
   const radar::GroundGrid grid{.west_m = -500, .north_m = 500, .cell_m = 100.0, .columns = 10, .rows = 10};
-  const auto image = empty_image(radar::position_seeing({}, 0.0, radians_from_deg(20.0), 5000.0), 120.0, 1.0);
+  const auto image = empty_about_origin(radar::position_seeing({}, 0.0, radians_from_deg(20.0), 5000.0), 120.0, 1.0);
   const radar::GroundMap map = ground_map(image, plane(0, 0), grid);
   EXPECT_TRUE(std::isnan(map.sigma0(0, 0).vv));
   EXPECT_TRUE(std::isnan(map.sigma0(9, 5).re_vvhh));

@@ -8,6 +8,7 @@
 
 #include "sigmascape/base/error.h"
 #include "sigmascape/base/hash.h"
+#include "sigmascape/base/units.h"
 
 namespace sigmascape::product {
 namespace {
@@ -17,14 +18,10 @@ using radar::GroundMap;
 constexpr double endless = std::numeric_limits<double>::infinity();
 constexpr CompareOptions vv{.polarization = radar::Polarization::VV};
 
-double power(double level_db) {
-  return std::pow(10.0, level_db / 10.0);
-}
-
 /// Columns of −40, −30, −20, −10 dB, and how much more of each.
 GroundMap steps(double first_db, double second_db, double third_db, double fourth_db) {
   const double more_db[] = {first_db, second_db, third_db, fourth_db};
-  return map_of(4, 2, [&](auto c, auto) { return power(-40.0 + 10.0 * static_cast<double>(c) + more_db[c]); });
+  return map_of(4, 2, [&](auto c, auto) { return linear_from_db(-40.0 + 10.0 * static_cast<double>(c) + more_db[c]); });
 }
 
 TEST(LevelErrors, EveryCellCountsInTheRangeOfItsTrueLevel) {
@@ -60,7 +57,7 @@ TEST(LevelErrors, LevelsMayComeFromAThirdMap) {
 TEST(LevelErrors, TogetherTheyAreTheSquaredErrorOfTheMap) {
   const auto rough = [](std::uint64_t stream) {
     return map_of(64, 64, [=](auto c, auto r) {
-      return power(-50.0 + 50.0 * static_cast<double>(unit_float(hashed(stream, c, r))));
+      return linear_from_db(-50.0 + 50.0 * static_cast<double>(unit_float(hashed(stream, c, r))));
     });
   };
   GroundMap tested = rough(1);

@@ -2,14 +2,13 @@
 
 #include <array>
 #include <cmath>
-#include <fstream>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <iterator>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "bytes_of.h"
 #include "full_disk.h"
 #include "scratch_folder.h"
 
@@ -31,11 +30,6 @@ radar::GroundMap small_map() {
   const float nan = std::numeric_limits<float>::quiet_NaN();
   map.sigma0(2, 1) = {nan, nan, nan, nan};
   return map;
-}
-
-std::string text_of(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
 }
 
 TEST(MapFile, HoldsDecibelsWhereTheyAreAskedFor) {
@@ -61,12 +55,12 @@ TEST(MapFile, PlacesAreNamedWithTheUnitThatTheyHave) {
   radar::GroundMap map = small_map();
   map.crs = "EPSG:4326";
   write_map(folder.path("map.npy"), map);
-  EXPECT_THAT(text_of(folder.path("map.json")),
+  EXPECT_THAT(bytes_of(folder.path("map.json")),
               testing::AllOf(testing::HasSubstr("\"west_deg\": 10.0"), testing::HasSubstr("\"cell_deg\": 2.0"),
                              testing::HasSubstr("west and north are those of the north-western cell"),
                              testing::Not(testing::HasSubstr("_m\""))));
   write_map(folder.path("map.npz"), map);
-  EXPECT_THAT(text_of(folder.path("map.npz")), testing::HasSubstr("x_deg.npy"));
+  EXPECT_THAT(bytes_of(folder.path("map.npz")), testing::HasSubstr("x_deg.npy"));
   write_map(folder.path("map.tif"), map);
   EXPECT_EQ(geo::read_geotiff(folder.path("map.tif")).metadata.at("SIGMASCAPE_GRID"),
             "west 10 deg, north 20 deg, cell 2 deg, 3 x 2 cells");
@@ -78,7 +72,7 @@ TEST(MapFile, NamesThatAreNoTextDoNotKeepAMapFromBeingWritten) {
   radar::GroundMap map = small_map();
   map.metadata["scene"] = "caf\xe9";
   write_map(folder.path("map.npy"), map);
-  EXPECT_EQ(nlohmann::json::parse(text_of(folder.path("map.json"))).at("scene"), "caf\uFFFD");
+  EXPECT_EQ(nlohmann::json::parse(bytes_of(folder.path("map.json"))).at("scene"), "caf\uFFFD");
   EXPECT_NO_THROW(write_map(folder.path("map.npz"), map));
 }
 
@@ -106,8 +100,8 @@ TEST(MapFile, ThroughALinkNumbersAndDescriptionStayTogether) {
   EXPECT_TRUE(std::filesystem::is_symlink(folder.path("latest.npy")));
   EXPECT_FALSE(std::filesystem::exists(folder.path("latest.json")));
   for (const char* ending : {".npy", ".json"}) {
-    EXPECT_EQ(text_of(folder.path(std::string("maps/today") + ending)),
-              text_of(folder.path(std::string("decibels") + ending)));
+    EXPECT_EQ(bytes_of(folder.path(std::string("maps/today") + ending)),
+              bytes_of(folder.path(std::string("decibels") + ending)));
   }
 }
 

@@ -2,7 +2,6 @@
 
 #include <cstdlib>
 #include <cstring>
-#include <fstream>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <map>
@@ -10,6 +9,7 @@
 #include <sstream>
 #include <vector>
 
+#include "bytes_of.h"
 #include "full_disk.h"
 #include "scratch_folder.h"
 #include "unit/product/made_up_map.h"
@@ -51,11 +51,6 @@ std::map<std::string, std::string> texts_of(const std::filesystem::path& path) {
   png_destroy_read_struct(&png, &info, nullptr);
   std::fclose(file);
   return texts;
-}
-
-std::string text_of(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
 }
 
 Picture small_picture() {
@@ -114,7 +109,7 @@ TEST(PngFile, WorldFileNamesTheCentreOfTheUpperLeftPixel) {
   const ScratchFolder folder;
   const auto path = folder.path("map.png");
   write_png(path, small_picture());
-  std::istringstream lines(text_of(std::filesystem::path(path).replace_extension(".pgw")));
+  std::istringstream lines(bytes_of(std::filesystem::path(path).replace_extension(".pgw")));
   std::vector<double> numbers;
   for (double number = 0.0; lines >> number;) numbers.push_back(number);
   EXPECT_THAT(numbers, testing::ElementsAre(2.0, 0.0, 0.0, -2.0, 101.0, 199.0));

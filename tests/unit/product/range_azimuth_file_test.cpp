@@ -1,12 +1,11 @@
 #include "sigmascape/product/range_azimuth_file.h"
 
 #include <cstring>
-#include <fstream>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <iterator>
 #include <nlohmann/json.hpp>
 
+#include "bytes_of.h"
 #include "full_disk.h"
 #include "scratch_folder.h"
 
@@ -14,11 +13,6 @@ namespace sigmascape::product {
 namespace {
 
 using ::testing::HasSubstr;
-
-std::string bytes_of(const std::filesystem::path& path) {
-  std::ifstream stream(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
 
 const radar::RangeAzimuthGrid grid{.first_range_m = 1000.0,
                                    .range_step_m = 2.5,

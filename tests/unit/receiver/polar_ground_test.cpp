@@ -9,7 +9,7 @@
 namespace sigmascape::receiver {
 namespace {
 
-constexpr radar::GroundGrid grid{.west_m = 30.0, .north_m = 80.0, .cell_m = 2.0, .columns = 32, .rows = 32};
+constexpr radar::GroundGrid two_metre_cells{.west_m = 30.0, .north_m = 80.0, .cell_m = 2.0, .columns = 32, .rows = 32};
 
 radar::Echo echo_of(Vec3d point, const radar::Aspect& aspect, float rcs_m2) {
   const Vec3d to_radar = radar::direction_to_radar(aspect);
@@ -21,16 +21,16 @@ radar::Echo echo_of(Vec3d point, const radar::Aspect& aspect, float rcs_m2) {
 
 /// Centre of mass of what a point returns.
 Vec2d place_of(Vec3d point, const radar::Aspect& aspect) {
-  PolarGround ground(grid, aspect);
+  PolarGround ground(two_metre_cells, aspect);
   const radar::Echo echo = echo_of(point, aspect, 1.0F);
   ground.add({&echo, 1});
   const auto sigma0 = ground.sigma0();
   Vec2d sum{};
   double total = 0.0;
-  for (std::size_t row = 0; row < grid.rows; ++row) {
-    for (std::size_t column = 0; column < grid.columns; ++column) {
+  for (std::size_t row = 0; row < two_metre_cells.rows; ++row) {
+    for (std::size_t column = 0; column < two_metre_cells.columns; ++column) {
       const auto part = static_cast<double>(sigma0(column, row).vv);
-      sum = sum + grid.centre_of(column, row) * part;
+      sum = sum + two_metre_cells.centre_of(column, row) * part;
       total += part;
     }
   }
@@ -57,7 +57,7 @@ TEST(PolarGround, HeightLiesOverTowardsTheRadar) {
 TEST(PolarGround, EvenGroundIsEvenHoweverItIsTurned) {
   for (const double azimuth_deg : {0.0, 45.0, 72.0}) {
     const radar::Aspect aspect{radians_from_deg(azimuth_deg), radians_from_deg(13.0)};
-    PolarGround ground(grid, aspect);
+    PolarGround ground(two_metre_cells, aspect);
     // 64 points of 0.02 · 4 m² / 64 on every 2 m square, and as far around that no bin at the edge is half full.
     for (int y = -20; y < 80; ++y) {
       for (int x = -20; x < 80; ++x) {

@@ -17,12 +17,12 @@
 namespace sigmascape::render {
 namespace {
 
-constexpr double tilt_deg = -15.0, width_deg = 6.0, height_m = 3000.0;
+constexpr double tilt_deg = -15.0, width_deg = 6.0, radar_height_m = 3000.0;
 
 /// Resolves two bins of OneBin in range and in azimuth.
 radar::Radar radar_with(radar::BeamShape elevation) {
   radar::Radar radar;
-  radar.position = {0.0, 0.0, height_m};
+  radar.position = {0.0, 0.0, radar_height_m};
   radar.range_resolution_m = 20.0;
   radar.beam_width_rad = 0.02;
   radar.antenna.elevation = std::move(elevation);
@@ -38,7 +38,7 @@ class OneBin {
     powers_[(10 * 21 + 10) * 4] = static_cast<float>(power_m2);
     frame_.grid = {range_m - 10.5 * 10.0, 10.0, 21, -10.5 * 0.01, 0.01, 21};
     frame_.powers_m2 = powers_;
-    drawn_.draw(frame_, {0.0, 0.0, height_m});
+    drawn_.draw(frame_, {0.0, 0.0, radar_height_m});
   }
   [[nodiscard]] const Frame& frame() const { return frame_; }
 
@@ -71,7 +71,7 @@ GroundHeight level(double ground_m) {
 TEST(FrameImage, BinsHaveTheGainInElevationTowardsLevelGround) {
   for (const double below_deg : {12.0, 15.0, 20.0}) {
     for (const double ground_m : {0.0, 800.0}) {
-      const double range_m = (height_m - ground_m) / std::sin(radians_from_deg(below_deg));
+      const double range_m = (radar_height_m - ground_m) / std::sin(radians_from_deg(below_deg));
       EXPECT_NEAR(OneBin(range_m).lost_db(level(ground_m), radar::CurvedEarth::flat()),
                   gaussian_db(radians_from_deg(-below_deg)), 0.01)
           << below_deg << "° below, over ground at " << ground_m << " m";
@@ -81,13 +81,13 @@ TEST(FrameImage, BinsHaveTheGainInElevationTowardsLevelGround) {
 
 TEST(FrameImage, GroundThatRisesIsMetNearer) {
   // Where h = d/10 and d² + (H − h)² = r², d solves (1 + 1/100) d² − H d/5 + H² − r² = 0.
-  const double slope = 0.1, range_m = 9000.0, a = 1.0 + slope * slope, b = -2.0 * slope * height_m,
-               c = height_m * height_m - range_m * range_m;
+  const double slope = 0.1, range_m = 9000.0, a = 1.0 + slope * slope, b = -2.0 * slope * radar_height_m,
+               c = radar_height_m * radar_height_m - range_m * range_m;
   const double distance_m = (-b + std::sqrt(b * b - 4.0 * a * c)) / (2.0 * a);
-  const double below_m = height_m - slope * distance_m;
+  const double below_m = radar_height_m - slope * distance_m;
   EXPECT_NEAR(OneBin(range_m).lost_db([&](Vec2d place) { return slope * place.y; }, radar::CurvedEarth::flat()),
               gaussian_db(-std::asin(below_m / range_m)), 0.01);
-  EXPECT_GT(std::asin(height_m / range_m) - std::asin(below_m / range_m), radians_from_deg(5.0)) << "it tells";
+  EXPECT_GT(std::asin(radar_height_m / range_m) - std::asin(below_m / range_m), radians_from_deg(5.0)) << "it tells";
 }
 
 /// Two hundred bins of 5 m due north, in which the radar tells each from the next.
@@ -98,7 +98,7 @@ class FineBins {
     frame_.grid = {middle_m - 0.5 * bins * bin_m, bin_m, bins, -0.005, 0.01, 1};
     frame_.earth = radar::CurvedEarth::flat();
     frame_.powers_m2 = powers_;
-    drawn_.draw(frame_, {0.0, 0.0, height_m});
+    drawn_.draw(frame_, {0.0, 0.0, radar_height_m});
   }
   [[nodiscard]] double range_m(std::size_t bin) const {
     return frame_.grid.first_range_m + (static_cast<double>(bin) + 0.5) * bin_m;
@@ -134,7 +134,7 @@ class FineBins {
 /// metre, by bisection.
 std::vector<double> elevations_at(double range_m, const GroundHeight& ground) {
   const auto farther_by = [&](double north_m) {
-    return std::hypot(north_m, height_m - ground({0.0, north_m})) - range_m;
+    return std::hypot(north_m, radar_height_m - ground({0.0, north_m})) - range_m;
   };
   std::vector<double> elevations;
   for (double near_m = 0.0; near_m < range_m; near_m += 1.0) {
@@ -145,7 +145,7 @@ std::vector<double> elevations_at(double range_m, const GroundHeight& ground) {
       const double middle_m = 0.5 * (low_m + high_m);
       ((farther_by(middle_m) > 0.0) == near_is_farther ? low_m : high_m) = middle_m;
     }
-    elevations.push_back(std::asin((ground({0.0, low_m}) - height_m) / range_m));
+    elevations.push_back(std::asin((ground({0.0, low_m}) - radar_height_m) / range_m));
   }
   return elevations;
 }
@@ -170,7 +170,7 @@ TEST(FrameImage, SteepLooksEndAtGroundThatHasTheRange) {
   for (const double slope_deg : {10.0, 20.0, 30.0}) {
     const double wave_m = 1000.0, amplitude_m = std::tan(radians_from_deg(slope_deg)) * wave_m / (2.0 * pi);
     const GroundHeight waves = [&](Vec2d place) { return amplitude_m * std::sin(2.0 * pi * place.y / wave_m); };
-    const FineBins bins(height_m / std::sin(radians_from_deg(60.0)));
+    const FineBins bins(radar_height_m / std::sin(radians_from_deg(60.0)));
     const std::vector<double> errors = errors_db(bins, waves, -60.0);
     EXPECT_GT(errors.size(), FineBins::bins * 3 / 4) << slope_deg;
     EXPECT_LT(std::ranges::max(errors), 0.1) << slope_deg;
@@ -188,15 +188,15 @@ TEST(FrameImage, GroundAheadMayBeNearerThanWhatIsStraightBelow) {
 TEST(FrameImage, TheSeaLiesLowerOverARoundEarth) {
   // Law of cosines at the radar, between the middle of the Earth and the sea's surface.
   const radar::CurvedEarth earth{.refraction = 4.0 / 3.0};
-  const double radius_m = 1.0 / earth.curvature_per_m(), centre_m = radius_m + height_m, range_m = 120e3;
+  const double radius_m = 1.0 / earth.curvature_per_m(), centre_m = radius_m + radar_height_m, range_m = 120e3;
   const double sin_below = (range_m * range_m + centre_m * centre_m - radius_m * radius_m) / (2.0 * range_m * centre_m);
   const double expected_db = gaussian_db(-std::asin(sin_below));
   EXPECT_NEAR(OneBin(range_m).lost_db(level(0.0), earth), expected_db, 0.01);
-  EXPECT_GT(std::abs(gaussian_db(-std::asin(height_m / range_m)) - expected_db), 0.5) << "the Earth tells";
+  EXPECT_GT(std::abs(gaussian_db(-std::asin(radar_height_m / range_m)) - expected_db), 0.5) << "the Earth tells";
 }
 
 TEST(FrameImage, BinsAreWeightedAsOfflineMapsWeightEchoes) {
-  const double range_m = height_m / std::sin(radians_from_deg(19.0));
+  const double range_m = radar_height_m / std::sin(radians_from_deg(19.0));
   const OneBin bin(range_m);
   const radar::Radar radar = radar_with(radar::CosecantSquaredBeam{});
   receiver::RangeAzimuthReceiver receiver(radar, bin.frame().grid);
@@ -204,7 +204,7 @@ TEST(FrameImage, BinsAreWeightedAsOfflineMapsWeightEchoes) {
                                          .cross = 0.0,
                                          .rcs_m2 = {1000.0F, 0.0F, 0.0F, 0.0F},
                                          .bounces = 1,
-                                         .sin_depression = static_cast<float>(height_m / range_m)}};
+                                         .sin_depression = static_cast<float>(radar_height_m / range_m)}};
   receiver.add(echoes);
   const auto offline = receiver.image();
   Frame frame = bin.frame();

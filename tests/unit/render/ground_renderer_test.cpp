@@ -16,20 +16,20 @@ namespace sigmascape::render {
 namespace {
 
 /// One patch of 2 m texels.
-constexpr radar::Rectangle extent{0, 0, 512, 512};
-constexpr double gamma = 0.03;
+constexpr radar::Rectangle patch_extent{0, 0, 512, 512};
+constexpr double baked_gamma = 0.03;
 
 using Texel = std::function<double(Vec2d point, const radar::Aspect& aspect)>;
 
-double constant_gamma(Vec2d, const radar::Aspect& aspect) {
-  return gamma * std::sin(aspect.elevation_rad);
+double gamma_times_sine(Vec2d, const radar::Aspect& aspect) {
+  return baked_gamma * std::sin(aspect.elevation_rad);
 }
 
-/// An atlas of the extent, without anything baked.
+/// An atlas of that patch, without anything baked.
 atlas::Atlas atlas_of(const ScratchFolder& folder, const std::vector<double>& elevations_deg, const Texel& texel) {
   atlas::AtlasDescription description;
   description.name = "made up";
-  description.extent = extent;
+  description.extent = patch_extent;
   description.patches = {2.0, 256};
   description.aspects.azimuths_rad = {0.0, pi / 2.0, pi, 1.5 * pi};
   for (const double degrees : elevations_deg) description.aspects.elevations_rad.push_back(radians_from_deg(degrees));
@@ -52,7 +52,8 @@ atlas::Atlas atlas_of(const ScratchFolder& folder, const std::vector<double>& el
 }
 
 terrain::HeightField level_terrain(std::size_t nodes = 2) {
-  return {extent.west_m, extent.north_m, 512.0 / static_cast<double>(nodes - 1), Array2D<float>(nodes, nodes, 0.0F)};
+  return {patch_extent.west_m, patch_extent.north_m, 512.0 / static_cast<double>(nodes - 1),
+          Array2D<float>(nodes, nodes, 0.0F)};
 }
 
 radar::Radar radar_seeing(double azimuth_deg, double elevation_deg, double range_m = 20e3) {
@@ -107,7 +108,7 @@ double worst_error_db(const Rendered& map, double expected) {
 
 TEST(GroundRenderer, ConstantGammaIsGammaTimesSine) {
   const ScratchFolder folder;
-  const atlas::Atlas atlas = atlas_of(folder, {10.0, 11.0, 20.0, 22.0, 40.0, 43.0}, constant_gamma);
+  const atlas::Atlas atlas = atlas_of(folder, {10.0, 11.0, 20.0, 22.0, 40.0, 43.0}, gamma_times_sine);
   for (const double elevation_deg : {6.0, 10.0, 10.5, 20.0, 21.0, 22.0, 41.5}) {
     for (const double azimuth_deg : {0.0, 37.0, 180.0, 300.0}) {
       for (const int level : {1, 2, 4}) {
@@ -115,7 +116,7 @@ TEST(GroundRenderer, ConstantGammaIsGammaTimesSine) {
             rendered(atlas, level_terrain(), radar_seeing(azimuth_deg, elevation_deg), {.level_of_detail = level});
         // 60 m nearer or farther than 20 km the sine of the grazing angle is 0.3 % larger or smaller.
         const double spread_db = db_from_linear(1.003);
-        EXPECT_LT(worst_error_db(map, gamma * std::sin(radians_from_deg(elevation_deg))), 0.05 + spread_db)
+        EXPECT_LT(worst_error_db(map, baked_gamma * std::sin(radians_from_deg(elevation_deg))), 0.05 + spread_db)
             << azimuth_deg << "°, " << elevation_deg << "°, level " << level;
       }
     }
@@ -250,7 +251,7 @@ TEST(GroundRenderer, WideBinsKeepThePlaceOfWhatTheyHold) {
 
 TEST(GroundRenderer, ThreadsDoNotMatter) {
   const ScratchFolder folder;
-  const atlas::Atlas atlas = atlas_of(folder, {20.0}, constant_gamma);
+  const atlas::Atlas atlas = atlas_of(folder, {20.0}, gamma_times_sine);
   const Rendered one = rendered(atlas, level_terrain(), radar_seeing(50.0, 20.0), {.threads = 1});
   const Rendered three = rendered(atlas, level_terrain(), radar_seeing(50.0, 20.0), {.threads = 3});
   EXPECT_TRUE(std::ranges::equal(one.image.rcs_m2.values(), three.image.rcs_m2.values()));
@@ -308,7 +309,7 @@ TEST(GroundRenderer, LevelGroundIsAllVisibleAndCountedOnce) {
 
 TEST(GroundRenderer, TiltedModelFollowsTheLocalSlope) {
   const ScratchFolder folder;
-  const atlas::Atlas atlas = atlas_of(folder, {18.0, 20.0, 22.0, 28.0, 30.0, 32.0}, constant_gamma);
+  const atlas::Atlas atlas = atlas_of(folder, {18.0, 20.0, 22.0, 28.0, 30.0, 32.0}, gamma_times_sine);
   terrain::HeightField slope = level_terrain();  // rises northward by 10°, towards a radar in the south it tilts up
   const auto rise = static_cast<float>(256.0 * std::tan(radians_from_deg(10.0)));
   for (const std::size_t column : {0U, 1U}) {
@@ -328,7 +329,7 @@ TEST(GroundRenderer, TiltedModelFollowsTheLocalSlope) {
 TEST(ReflectingGround, AHillsideGoesOnToAnswerBelowTheLowestLook) {
   const ScratchFolder folder;
   constexpr double lowest_deg = 5.0;
-  const atlas::Atlas atlas = atlas_of(folder, {lowest_deg, 20.0}, constant_gamma);
+  const atlas::Atlas atlas = atlas_of(folder, {lowest_deg, 20.0}, gamma_times_sine);
   const auto sine = [](double degrees) { return std::sin(radians_from_deg(degrees)); };
   const Vec3d point{256.0, 256.0, 0.0};
   for (const double slope_deg : {-10.0, 0.0, 20.0}) {  // rising northward
@@ -343,8 +344,9 @@ TEST(ReflectingGround, AHillsideGoesOnToAnswerBelowTheLowestLook) {
       const ReflectingGround ground(atlas, plane, point + to_south * 5000.0, 10e9, 0.0);
       ReflectingGround::Looks looks;
       const double found = static_cast<double>(ground.sigma0(point, pi, {.ground = 1.0, .hidden_m = 0.0}, looks).vv);
-      const double level = gamma * std::max(0.0, sine(elevation_deg));
-      const double of_slope = gamma * sine(lowest_deg) * sine(elevation_deg + slope_deg) / sine(lowest_deg + slope_deg);
+      const double level = baked_gamma * std::max(0.0, sine(elevation_deg));
+      const double of_slope =
+          baked_gamma * sine(lowest_deg) * sine(elevation_deg + slope_deg) / sine(lowest_deg + slope_deg);
       const double expected = slope_deg > 0.0 && elevation_deg < lowest_deg ? of_slope : level;
       EXPECT_NEAR(found, expected, 2e-3 * expected) << slope_deg << "° seen from " << elevation_deg << "°";
     }
@@ -353,7 +355,7 @@ TEST(ReflectingGround, AHillsideGoesOnToAnswerBelowTheLowestLook) {
 
 TEST(GroundRenderer, OtherFrequenciesAreRefused) {
   const ScratchFolder folder;
-  const atlas::Atlas atlas = atlas_of(folder, {20.0}, constant_gamma);
+  const atlas::Atlas atlas = atlas_of(folder, {20.0}, gamma_times_sine);
   radar::Radar radar = radar_seeing(0.0, 20.0);
   radar.frequency_hz = 35e9;
   EXPECT_THAT(message_of_error([&] { static_cast<void>(rendered(atlas, level_terrain(), radar)); }),

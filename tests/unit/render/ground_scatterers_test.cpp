@@ -14,15 +14,19 @@
 namespace sigmascape::render {
 namespace {
 
-constexpr double gamma = 0.1;
-constexpr radar::Rectangle extent{0.0, 0.0, 512.0, 512.0};
+constexpr radar::Rectangle whole_area{0.0, 0.0, 512.0, 512.0};
+
+radar::Channels of_constant_gamma(Vec2d, const radar::Aspect& aspect) {
+  const auto sigma0 = static_cast<float>(0.1 * std::sin(aspect.elevation_rad));
+  return {sigma0, sigma0, 0.0F, sigma0};
+}
 
 /// Of constant gamma, without anything baked.
 atlas::Atlas gamma_atlas() {
   const ScratchFolder folder;
   atlas::AtlasDescription description;
   description.name = "made up";
-  description.extent = extent;
+  description.extent = whole_area;
   description.patches = {2.0, 256};
   description.aspects.azimuths_rad = {0.0, pi};
   for (const double degrees : {5.0, 15.0, 25.0, 35.0, 45.0, 60.0})
@@ -32,16 +36,11 @@ atlas::Atlas gamma_atlas() {
   const auto store = atlas::Store::create(folder.path("atlas"), description);
   for (const atlas::Unit& unit : store.units()) {
     const radar::GroundGrid grid = description.patches.texels_of(unit.patch);
-    const auto sigma0 = static_cast<float>(gamma * std::sin(description.aspects.look(unit.look).aspect.elevation_rad));
-    const Array2D<radar::Channels> texels(grid.columns, grid.rows, {sigma0, sigma0, 0.0F, sigma0});
+    const radar::Channels sigma0 = of_constant_gamma({}, description.aspects.look(unit.look).aspect);
+    const Array2D<radar::Channels> texels(grid.columns, grid.rows, sigma0);
     store.write(unit.patch, unit.look, texels, {});
   }
   return atlas::load_atlas(store);
-}
-
-radar::Channels of_constant_gamma(Vec2d, const radar::Aspect& aspect) {
-  const auto sigma0 = static_cast<float>(gamma * std::sin(aspect.elevation_rad));
-  return {sigma0, sigma0, 0.0F, sigma0};
 }
 
 /// Level but for a tower of 20 m, 8 m wide, about (404, 200).
@@ -138,7 +137,7 @@ TEST(GroundScatterers, SayWhatMakesThemFewer) {
   const radar::ScattererLattice lattice({.seed = 3, .cell_m = 0.01, .levels = 1});
   const std::string message = message_of_error([&] {
     static_cast<void>(ground_scatterers(terrain, ReflectivityField(of_constant_gamma), lattice,
-                                        {.vantage = radar::Vantage(abeam), .area = extent}));
+                                        {.vantage = radar::Vantage(abeam), .area = whole_area}));
   });
   EXPECT_THAT(message, ::testing::HasSubstr("an area of 512 m by 512 m in cells of 0.01 m"));
   EXPECT_THAT(message, ::testing::HasSubstr("pulses over a shorter interval"));

@@ -13,7 +13,7 @@ namespace {
 using ::testing::HasSubstr;
 
 /// A town of the paper's, seen at 8.6°.
-DetailQuestion town() {
+DetailQuestion town_question() {
   return {.range_resolution_m = 4.0,
           .cross_range_m = 6.0,
           .grazing_rad = radians_from_deg(8.6),
@@ -27,19 +27,19 @@ DetailQuestion town() {
 }
 
 TEST(LevelOfDetail, TheReachOfAnObjectIsItsLayoverAndItsShadow) {
-  const DetailChoice choice = choose_detail(town());
+  const DetailChoice choice = choose_detail(town_question());
   EXPECT_NEAR(choice.layover_m, 3.0, 0.03);
   EXPECT_NEAR(choice.shadow_m, 132.0, 0.5);
 }
 
 TEST(LevelOfDetail, ASmallAreaWithVisibleObjectsIsTraced) {
-  const DetailChoice choice = choose_detail(town());
+  const DetailChoice choice = choose_detail(town_question());
   EXPECT_FALSE(choice.geometry_may_go);
   EXPECT_EQ(choice.level, 0);
 }
 
 TEST(LevelOfDetail, ALargeAreaIsNeverTraced) {
-  DetailQuestion question = town();
+  DetailQuestion question = town_question();
   question.area_m2 = 1e9;
   const DetailChoice choice = choose_detail(question);
   EXPECT_EQ(choice.level, 1);
@@ -48,7 +48,7 @@ TEST(LevelOfDetail, ALargeAreaIsNeverTraced) {
 }
 
 TEST(LevelOfDetail, GeometryGoesExactlyWhenItsReachIsBelowTheAllowedPartOfACell) {
-  DetailQuestion question = town();
+  DetailQuestion question = town_question();
   const double reach_m = 20.0 / std::tan(question.grazing_rad);
   for (const double part : {0.99, 1.01}) {
     question.cross_range_m = 1e9;
@@ -63,7 +63,7 @@ TEST(LevelOfDetail, GeometryGoesExactlyWhenItsReachIsBelowTheAllowedPartOfACell)
 }
 
 TEST(LevelOfDetail, TheSmallerSideOfTheCellChoosesTheMip) {
-  DetailQuestion question = town();
+  DetailQuestion question = town_question();
   question.area_m2 = 1e10;
   // A beam of 2° at 40 km by 75 m of range: two samples in 75 m are 37.5 m.
   question.range_resolution_m = 75.0;
@@ -77,7 +77,7 @@ TEST(LevelOfDetail, TheSmallerSideOfTheCellChoosesTheMip) {
 }
 
 TEST(LevelOfDetail, TheSameMapOfTwiceTheSizeIsOneLevelCoarser) {
-  DetailQuestion question = town();
+  DetailQuestion question = town_question();
   question.area_m2 = 1e10;
   const DetailChoice fine = choose_detail(question);
   question.range_resolution_m *= 2.0;
@@ -88,7 +88,7 @@ TEST(LevelOfDetail, TheSameMapOfTwiceTheSizeIsOneLevelCoarser) {
 }
 
 TEST(LevelOfDetail, ThePapersRuleCountsPixelsATriangle) {
-  DetailQuestion question = town();
+  DetailQuestion question = town_question();
   // 16 samples of 2 m / cos ψ a triangle are about 65 m².
   const double sample_m2 = std::pow(4.0 / std::cos(question.grazing_rad) / 2.0, 2.0);
   for (const double pixels : {15.0, 17.0}) {
@@ -100,7 +100,7 @@ TEST(LevelOfDetail, ThePapersRuleCountsPixelsATriangle) {
 }
 
 TEST(LevelOfDetail, StaysWithinWhatTheStoreHas) {
-  DetailQuestion question = town();
+  DetailQuestion question = town_question();
   question.area_m2 = 1e12;
   question.range_resolution_m = question.cross_range_m = 1e6;
   EXPECT_EQ(choose_detail(question).mip, 9.0);
@@ -113,13 +113,13 @@ TEST(LevelOfDetail, StaysWithinWhatTheStoreHas) {
 }
 
 TEST(LevelOfDetail, ExplainsItself) {
-  const std::string text = explained(choose_detail(town()));
+  const std::string text = explained(choose_detail(town_question()));
   EXPECT_THAT(text, HasSubstr("level of detail 0: the full scene"));
   EXPECT_THAT(text, HasSubstr("shadows 132 m"));
 }
 
 TEST(LevelOfDetail, SaysWhoCastsTheShadowsOfWhatIsNotTraced) {
-  DetailQuestion question = town();
+  DetailQuestion question = town_question();
   question.area_m2 = 1e9;
   EXPECT_THAT(explained(choose_detail(question)), HasSubstr("shadows are the baked ones"));
   question.ground_apart = true;
@@ -127,7 +127,7 @@ TEST(LevelOfDetail, SaysWhoCastsTheShadowsOfWhatIsNotTraced) {
 }
 
 TEST(LevelOfDetail, AmplitudesAreNotTraced) {
-  DetailQuestion question = town();
+  DetailQuestion question = town_question();
   question.traceable = false;
   const DetailChoice choice = choose_detail(question);
   EXPECT_EQ(choice.level, 1);
@@ -135,7 +135,7 @@ TEST(LevelOfDetail, AmplitudesAreNotTraced) {
 }
 
 TEST(LevelOfDetail, TerrainBelongsToTheTexelsThatAreInUse) {
-  DetailQuestion question = town();
+  DetailQuestion question = town_question();
   question.area_m2 = 1e10;
   question.cross_range_m = 1e6;
   // From texels of 4 m to just below the next: nodes of 8 m serve them all.
@@ -149,7 +149,7 @@ TEST(LevelOfDetail, TerrainBelongsToTheTexelsThatAreInUse) {
 
 /// Flies away from the ground and back, with a tremble, over a change of level.
 TEST(DetailTransition, ChangesOnceEachWayAndWithoutAStep) {
-  DetailQuestion question = town();
+  DetailQuestion question = town_question();
   question.area_m2 = 1e10;
   DetailTransition transition(20);
   int changes = 0, level = 1;
@@ -172,7 +172,7 @@ TEST(DetailTransition, ChangesOnceEachWayAndWithoutAStep) {
 }
 
 TEST(DetailTransition, ReachesTheCoarsestLevelThatThereIs) {
-  DetailQuestion question = town();
+  DetailQuestion question = town_question();
   question.area_m2 = 1e10;
   question.mips = 3;
   question.cross_range_m = 1e6;

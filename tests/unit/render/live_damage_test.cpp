@@ -4,14 +4,13 @@
 #include <gtest/gtest.h>
 #include <memory>
 
+#include "frame_numbers.h"
 #include "live_ground_example.h"
 
 #include "sigmascape/atlas/pyramid.h"
 
 namespace sigmascape::render {
 namespace {
-
-constexpr double gamma = 0.1;
 
 /// What can happen to a texture on a disk.
 enum class Damage { Missing, Truncated, Altered };
@@ -28,18 +27,12 @@ void damage(const std::filesystem::path& file, Damage how) {
   stream.put(static_cast<char>(was ^ 0x55));
 }
 
-double total_vv(const Frame& frame) {
-  double sum = 0.0;
-  for (std::size_t i = 0; i < frame.powers_m2.size(); i += 4) sum += static_cast<double>(frame.powers_m2[i]);
-  return sum;
-}
-
 class LiveDamage : public testing::TestWithParam<Damage> {};
 
 TEST_P(LiveDamage, OfATextureGivesALowerLevelAndIsTold) {
   const ScratchFolder folder;
   ExampleGround example;
-  example.sigma0 = [](const radar::Look& look) { return constant_gamma(gamma, look); };
+  example.sigma0 = [](const radar::Look& look) { return constant_gamma(example_gamma, look); };
   const atlas::Store store = example.store(folder.path("atlas"));
   atlas::Pyramid(store).make_above(store.units());
   const ExampleView view;
@@ -70,7 +63,7 @@ TEST_P(LiveDamage, OfATextureGivesALowerLevelAndIsTold) {
 ExampleGround blocks_of_houses() {
   ExampleGround example;
   example.sigma0 = [](const radar::Look&) { return radar::Channels{}; };
-  example.bare_sigma0 = [](const radar::Look& look) { return constant_gamma(gamma, look); };
+  example.bare_sigma0 = [](const radar::Look& look) { return constant_gamma(example_gamma, look); };
   example.obstacle = [](Vec2d p) {
     return std::abs(std::remainder(p.x, 96.0)) < 12.0 && std::abs(std::remainder(p.y, 96.0)) < 12.0
                ? radar::Obstacle{.solid_top_m = 12.0F}
@@ -137,7 +130,7 @@ INSTANTIATE_TEST_SUITE_P(Damages, LiveDamage, testing::Values(Damage::Missing, D
 TEST(LiveDamage, OfTheCoarsestLevelLeavesTheRest) {
   const ScratchFolder folder;
   ExampleGround example;
-  example.sigma0 = [](const radar::Look& look) { return constant_gamma(gamma, look); };
+  example.sigma0 = [](const radar::Look& look) { return constant_gamma(example_gamma, look); };
   const atlas::Store store = example.store(folder.path("atlas"));
   const atlas::Pyramid pyramid(store);
   pyramid.make_above(store.units());

@@ -13,8 +13,6 @@
 namespace sigmascape::render {
 namespace {
 
-constexpr double gamma = 0.1;
-
 radar::Channels black(const radar::Look&) {
   return {};
 }
@@ -22,7 +20,7 @@ radar::Channels black(const radar::Look&) {
 ExampleGround bare_ground(double slope_deg = 0.0) {
   ExampleGround ground;
   ground.sigma0 = black;
-  ground.bare_sigma0 = [](const radar::Look& look) { return constant_gamma(gamma, look); };
+  ground.bare_sigma0 = [](const radar::Look& look) { return constant_gamma(example_gamma, look); };
   const double rise = std::tan(radians_from_deg(slope_deg));
   ground.height_m = [rise](Vec2d p) { return rise * p.y; };
   return ground;
@@ -30,7 +28,7 @@ ExampleGround bare_ground(double slope_deg = 0.0) {
 
 /// What a plane that rises northward returns to each range of the middle beams: γ sin ψ′ of its true area, ψ′ above the
 /// plane, summed over points a quarter of a texel apart.
-std::vector<double> expected_rcs(const ExampleView& view, const radar::RangeAzimuthGrid& grid, double rise,
+std::vector<double> rcs_of_slope(const ExampleView& view, const radar::RangeAzimuthGrid& grid, double rise,
                                  std::size_t margin) {
   std::vector<double> rcs(grid.ranges, 0.0);
   const Vec3d radar = view.pose().position;
@@ -46,7 +44,7 @@ std::vector<double> expected_rcs(const ExampleView& view, const radar::RangeAzim
       const double range = (length(away) - grid.first_range_m) / grid.range_step_m;
       if (azimuth < 0.0 || azimuth >= width || range < 0.0 || range >= static_cast<double>(grid.ranges)) continue;
       rcs[static_cast<std::size_t>(range)] +=
-          gamma * dot(normal, away) / length(away) * spacing_m * spacing_m / normal.z;
+          example_gamma * dot(normal, away) / length(away) * spacing_m * spacing_m / normal.z;
     }
   }
   return rcs;
@@ -66,7 +64,7 @@ TEST(LiveGroundApart, BareGroundAnswersWithItsOwnAngleAndAreaAtEveryRange) {
       const Frame& frame = settled_frame(renderer, *ground, view.pose());
       ASSERT_EQ(frame.report.dark, 0U);
       ASSERT_EQ(frame.report.coarse, 0U);
-      const auto expected = expected_rcs(view, frame.grid, std::tan(radians_from_deg(slope_deg)), 2);
+      const auto expected = rcs_of_slope(view, frame.grid, std::tan(radians_from_deg(slope_deg)), 2);
       for (std::size_t range = 4; range + 12 <= view.ranges; range += 8) {
         double sum = 0.0, wanted = 0.0;
         for (std::size_t r = range; r < range + 8; ++r) {
@@ -138,7 +136,7 @@ TEST(LiveGroundApart, BinsThatBeginBelowTheRadarShowTheGroundBeyond) {
     }
     if (near_m < 400.0) continue;
     // ∫ γ (h/r) 2π r dr
-    const double expected = gamma * 300.0 * 2.0 * pi * (far_m - near_m);
+    const double expected = example_gamma * 300.0 * 2.0 * pi * (far_m - near_m);
     EXPECT_NEAR(db_from_linear(sum / expected), 0.0, 0.05) << "from " << near_m << " m";
   }
 }
@@ -170,7 +168,7 @@ TEST(LiveGroundApart, AWallThrowsAShadowOfItsLength) {
     view.elevation_deg = elevation_deg;
     LiveRenderer renderer(ground, view.settings(FrameContent::Powers));
     const Frame& frame = settled_frame(renderer, *ground, view.pose());
-    const auto expected = expected_rcs(view, frame.grid, 0.0, 2);
+    const auto expected = rcs_of_slope(view, frame.grid, 0.0, 2);
     double missing_m = 0.0;
     for (std::size_t r = 4; r + 4 < view.ranges; ++r) {
       double sum = 0.0;
@@ -188,13 +186,13 @@ TEST(LiveGroundApart, AWallThrowsAShadowOfItsLength) {
 TEST(LiveGroundApart, ObjectsKeepTheirEcho) {
   const ScratchFolder folder;
   ExampleGround example = bare_ground();
-  example.sigma0 = [](const radar::Look& look) { return constant_gamma(3.0 * gamma, look); };
+  example.sigma0 = [](const radar::Look& look) { return constant_gamma(3.0 * example_gamma, look); };
   const auto ground = example.over(example.store(folder.path("atlas")));
   ExampleView view;
   view.azimuth_deg = 180.0;
   LiveRenderer renderer(ground, view.settings(FrameContent::Powers));
   const Frame& frame = settled_frame(renderer, *ground, view.pose());
-  const auto expected = expected_rcs(view, frame.grid, 0.0, 2);
+  const auto expected = rcs_of_slope(view, frame.grid, 0.0, 2);
   double sum = 0.0, wanted = 0.0;
   for (std::size_t r = 4; r + 4 < view.ranges; ++r) {
     wanted += 4.0 * expected[r];
@@ -211,7 +209,7 @@ TEST(LiveGroundApart, ObjectsOnAHillsideAnswerToALowRadar) {
   const ScratchFolder folder;
   ExampleGround example = bare_ground(slope_deg);
   example.bare_sigma0 = black;
-  example.sigma0 = [](const radar::Look& look) { return constant_gamma(3.0 * gamma, look); };
+  example.sigma0 = [](const radar::Look& look) { return constant_gamma(3.0 * example_gamma, look); };
   const auto ground = example.over(example.store(folder.path("atlas")));
   for (const double elevation_deg : {1.0, -3.0}) {
     ExampleView view;
@@ -219,7 +217,7 @@ TEST(LiveGroundApart, ObjectsOnAHillsideAnswerToALowRadar) {
     view.elevation_deg = elevation_deg;
     LiveRenderer renderer(ground, view.settings(FrameContent::Powers));
     const Frame& frame = settled_frame(renderer, *ground, view.pose());
-    const auto bare = expected_rcs(view, frame.grid, std::tan(radians_from_deg(slope_deg)), 2);
+    const auto bare = rcs_of_slope(view, frame.grid, std::tan(radians_from_deg(slope_deg)), 2);
     const double of_bare = 3.0 * std::sin(radians_from_deg(lowest_deg)) * std::cos(radians_from_deg(slope_deg)) /
                            std::sin(radians_from_deg(lowest_deg + slope_deg));
     double sum = 0.0, wanted = 0.0;
@@ -269,13 +267,13 @@ radar::Obstacle tree_or_house(Vec2d point) {
   return {.crown_base_m = 3.0F, .crown_top_m = 12.0F + static_cast<float>(key), .crown_extinction_per_m = 0.05F};
 }
 
-struct Landscape {
+struct HillsWithHouses {
   terrain::HeightField field{
       .west_m = -2000.0, .north_m = 2000.0, .spacing_m = 20.0, .height_m = Array2D<float>(201, 201)};
   MadeObstacles obstacles{
       {.texel_m = 4.0}, {.level = 0, .west = -2, .north = 1, .across = 4, .down = 4}, tree_or_house};
 
-  Landscape() {
+  HillsWithHouses() {
     for (std::size_t row = 0; row < 201; ++row) {
       for (std::size_t column = 0; column < 201; ++column) {
         field.height_m(column, row) = static_cast<float>(30.0 * std::sin(static_cast<double>(column) * 0.21) *
@@ -286,7 +284,7 @@ struct Landscape {
 };
 
 TEST(LiveGroundApart, TheHorizonMapSeesWhatAnExactWalkSees) {
-  const Landscape land;
+  const HillsWithHouses land;
   for (const double radar_height_m : {150.0, 400.0, 1200.0}) {
     const Vec3d radar{0.0, -1900.0, radar_height_m};
     HorizonGrid grid;

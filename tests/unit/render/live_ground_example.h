@@ -5,6 +5,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "scratch_folder.h"
 
@@ -162,6 +163,16 @@ inline double vv_of_range(const Frame& frame, std::size_t range, std::size_t lef
 inline radar::Channels constant_gamma(double gamma, const radar::Look& look) {
   const auto vv = static_cast<float>(gamma * std::sin(look.aspect.elevation_rad));
   return {vv, 0.5F * vv, 0.1F * vv, 0.6F * std::sqrt(0.5F) * vv};
+}
+
+/// Where it matters only that ground returns something.
+inline constexpr double example_gamma = 0.1;
+
+/// Level and of example_gamma everywhere.
+inline ExampleGround even_example() {
+  ExampleGround ground;
+  ground.sigma0 = [](const radar::Look& look) { return constant_gamma(example_gamma, look); };
+  return ground;
 }
 
 /// A radar that sees a place from an azimuth and elevation, its bins about it.

@@ -3,21 +3,21 @@
 #include <gtest/gtest.h>
 #include <vector>
 
+#include "frame_numbers.h"
 #include "live_ground_example.h"
 
 namespace sigmascape::render {
 namespace {
 
-double waves(double along_m) {
+double high_waves(double along_m) {
   return 1.0 + 0.8 * std::sin(2.0 * pi * along_m / 256.0);
 }
 
 /// Texels of 4 m with waves from west to east.
 ExampleGround fine_ground(int patches_a_side) {
-  ExampleGround ground;
+  ExampleGround ground = even_example();
   ground.patches_a_side = patches_a_side;
-  ground.sigma0 = [](const radar::Look& look) { return constant_gamma(0.1, look); };
-  ground.pattern = [](const radar::Look&, Vec2d from_middle) { return static_cast<float>(waves(from_middle.x)); };
+  ground.pattern = [](const radar::Look&, Vec2d from_middle) { return static_cast<float>(high_waves(from_middle.x)); };
   return ground;
 }
 
@@ -25,7 +25,9 @@ ExampleGround fine_ground(int patches_a_side) {
 atlas::Store unlike_levels(const std::filesystem::path& folder) {
   const ExampleGround fine = fine_ground(2);
   ExampleGround coarse = fine;
-  coarse.pattern = [](const radar::Look&, Vec2d from_middle) { return static_cast<float>(4.0 * waves(from_middle.y)); };
+  coarse.pattern = [](const radar::Look&, Vec2d from_middle) {
+    return static_cast<float>(4.0 * high_waves(from_middle.y));
+  };
   atlas::Store store = coarse.store(folder);
   atlas::Pyramid(store).make_above(store.units());
   fine.write_patterned(store);
@@ -50,17 +52,7 @@ Pose from_nearby() {
   return pose;
 }
 
-/// Of all bins, powers or parts of amplitudes.
-std::vector<double> numbers_of(const Frame& frame) {
-  std::vector<double> numbers(frame.powers_m2.begin(), frame.powers_m2.end());
-  for (const std::complex<float>& amplitude : frame.amplitudes_m) {
-    numbers.push_back(static_cast<double>(amplitude.real()));
-    numbers.push_back(static_cast<double>(amplitude.imag()));
-  }
-  return numbers;
-}
-
-double root_mean_square(const std::vector<double>& numbers) {
+double root_mean_square(const std::vector<float>& numbers) {
   double sum = 0.0;
   for (const double number : numbers) sum += number * number;
   return std::sqrt(sum / static_cast<double>(numbers.size()));
@@ -71,8 +63,8 @@ class ChangeOfLevel : public testing::TestWithParam<FrameContent> {
  protected:
   static constexpr int frames = 30;
 
-  [[nodiscard]] static std::vector<double> alone(const ExampleGround& example, const atlas::Store& store,
-                                                 std::size_t level) {
+  [[nodiscard]] static std::vector<float> alone(const ExampleGround& example, const atlas::Store& store,
+                                                std::size_t level) {
     const auto ground = example.over(store);
     LiveRenderer renderer(ground, bins(GetParam()));
     const Frame& frame = settled_frame(renderer, *ground, view.pose());
@@ -86,9 +78,9 @@ TEST_P(ChangeOfLevel, SharesThePowerOfEveryBinBetweenTheTwo) {
   const ScratchFolder folder;
   // Of a single patch there is no other level.
   const ExampleGround only_fine = fine_ground(1), both = fine_ground(2);
-  const std::vector<double> fine = alone(only_fine, only_fine.store(folder.path("fine")), 0);
+  const std::vector<float> fine = alone(only_fine, only_fine.store(folder.path("fine")), 0);
   const atlas::Store store = unlike_levels(folder.path("both"));
-  const std::vector<double> coarse = alone(both, store, 1);
+  const std::vector<float> coarse = alone(both, store, 1);
   const double size = root_mean_square(fine);
   ASSERT_GT(root_mean_square(coarse), 1.5 * size) << "the levels are unlike";
 
@@ -111,7 +103,7 @@ TEST_P(ChangeOfLevel, SharesThePowerOfEveryBinBetweenTheTwo) {
     const bool is_power = GetParam() == FrameContent::Powers;
     const double of_fine = is_power ? 1.0 - share : std::sqrt(1.0 - share),
                  of_coarse = is_power ? share : std::sqrt(share);
-    const std::vector<double> numbers = numbers_of(shown);
+    const std::vector<float> numbers = numbers_of(shown);
     for (std::size_t i = 0; i < numbers.size(); ++i) {
       ASSERT_NEAR(numbers[i], of_fine * fine[i] + of_coarse * coarse[i], 1e-4 * size) << "frame " << frame << ", " << i;
     }

@@ -10,7 +10,7 @@
 namespace sigmascape::render {
 namespace {
 
-constexpr double gamma = 0.1, period_m = 256.0;
+constexpr double period_m = 256.0;
 constexpr float modulation = 0.5F;
 
 /// From one half to three halves, along one of the axes.
@@ -19,8 +19,7 @@ float waves(double along_m) {
 }
 
 ExampleGround wavy_ground() {
-  ExampleGround ground;
-  ground.sigma0 = [](const radar::Look& look) { return constant_gamma(gamma, look); };
+  ExampleGround ground = even_example();
   ground.pattern = [](const radar::Look&, Vec2d from_middle) { return waves(from_middle.x); };
   return ground;
 }
@@ -203,7 +202,7 @@ TEST(LiveLookUp, BlendsTwoBakedFrequenciesByTheLogarithm) {
   const Vec2d from_middle{2.0 + 4.0 * 11.0, 2.0 + 4.0 * 29.0};
   const double high_part = std::log(between_hz / low_hz) / std::log(high_hz / low_hz);
   const radar::Aspect aspect{radians_from_deg(90.0), radians_from_deg(13.0)};
-  const double expected = gamma * std::sin(aspect.elevation_rad) *
+  const double expected = example_gamma * std::sin(aspect.elevation_rad) *
                           ((1.0 - high_part) * static_cast<double>(waves(from_middle.x)) +
                            high_part * 4.0 * static_cast<double>(waves(from_middle.y)));
   const radar::Channels sigma0 =

@@ -33,10 +33,8 @@ namespace {
 
 using radar::Polarization;
 
-constexpr double height_m = 1500.0;
-
 Vec3d high_above(Vec2d place = {}) {
-  return {place.x, place.y, height_m};
+  return {place.x, place.y, 1500.0};
 }
 
 /// A frame of made bins, speckled by lot, with targets of which two beams hold a part each, as live frames have them.

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "frame_numbers.h"
 #include "live_ground_example.h"
 
 #include "sigmascape/atlas/pyramid.h"
@@ -16,16 +17,8 @@
 namespace sigmascape::render {
 namespace {
 
-constexpr double gamma = 0.1;
-
-ExampleGround level_ground() {
-  ExampleGround ground;
-  ground.sigma0 = [](const radar::Look& look) { return constant_gamma(gamma, look); };
-  return ground;
-}
-
 /// Cross-section of a bin on level ground: σ0 times the area between two ranges and two azimuths.
-double expected_rcs(const radar::RangeAzimuthGrid& grid, std::size_t range, double height_m, double gamma_vv) {
+double rcs_of_bin(const radar::RangeAzimuthGrid& grid, std::size_t range, double height_m, double gamma_vv) {
   const double near = grid.first_range_m + static_cast<double>(range) * grid.range_step_m;
   const double far = near + grid.range_step_m, middle = near + grid.range_step_m / 2.0;
   const double area = (far * far - near * near) / 2.0 * grid.azimuth_step_rad;
@@ -37,7 +30,7 @@ class LiveRendererTest : public testing::Test {
  protected:
   static void SetUpTestSuite() {
     folder_ = std::make_unique<ScratchFolder>();
-    store_ = std::make_unique<atlas::Store>(level_ground().store(folder_->path("atlas")));
+    store_ = std::make_unique<atlas::Store>(even_example().store(folder_->path("atlas")));
     atlas::Pyramid(*store_).make_above(store_->units());
   }
   static void TearDownTestSuite() {
@@ -49,7 +42,7 @@ class LiveRendererTest : public testing::Test {
 };
 
 TEST_F(LiveRendererTest, PowerIsThatOfTheRadarEquationAtEveryRange) {
-  const auto ground = level_ground().over(*store_);
+  const auto ground = even_example().over(*store_);
   for (const double elevation_deg : {5.0, 8.6, 13.0, 21.0, 30.0}) {
     ExampleView view;
     view.elevation_deg = elevation_deg;
@@ -62,7 +55,7 @@ TEST_F(LiveRendererTest, PowerIsThatOfTheRadarEquationAtEveryRange) {
       for (std::size_t r = range; r < range + 8; ++r) {
         for (std::size_t beam = 2; beam + 2 < view.beams; ++beam) {
           sum += frame.powers_m2[(beam * view.ranges + r) * 4];
-          expected += expected_rcs(frame.grid, r, view.pose().position.z, gamma);
+          expected += rcs_of_bin(frame.grid, r, view.pose().position.z, example_gamma);
         }
       }
       EXPECT_NEAR(10.0 * std::log10(sum / expected), 0.0, 0.05) << elevation_deg << "°, range bin " << range;
@@ -71,7 +64,7 @@ TEST_F(LiveRendererTest, PowerIsThatOfTheRadarEquationAtEveryRange) {
 }
 
 TEST_F(LiveRendererTest, ChannelsComeBackInTheirOwnParts) {
-  const auto ground = level_ground().over(*store_);
+  const auto ground = even_example().over(*store_);
   const ExampleView view;
   LiveRenderer renderer(ground, view.settings(FrameContent::Powers));
   const Frame& frame = settled_frame(renderer, *ground, view.pose());
@@ -82,7 +75,7 @@ TEST_F(LiveRendererTest, ChannelsComeBackInTheirOwnParts) {
 }
 
 TEST_F(LiveRendererTest, AmplitudesAreSpeckleOfThatPower) {
-  const auto ground = level_ground().over(*store_);
+  const auto ground = even_example().over(*store_);
   const ExampleView view;
   LiveRenderer powers(ground, view.settings(FrameContent::Powers));
   LiveRenderer amplitudes(ground, view.settings(FrameContent::Amplitudes));
@@ -110,7 +103,7 @@ TEST_F(LiveRendererTest, AmplitudesAreSpeckleOfThatPower) {
 }
 
 TEST_F(LiveRendererTest, GivesTheSameBytesForAnyNumberOfThreads) {
-  const auto ground = level_ground().over(*store_);
+  const auto ground = even_example().over(*store_);
   const ExampleView view;
   LiveRenderer one(ground, view.settings(FrameContent::Amplitudes, 1));
   LiveRenderer three(ground, view.settings(FrameContent::Amplitudes, 3));
@@ -121,7 +114,7 @@ TEST_F(LiveRendererTest, GivesTheSameBytesForAnyNumberOfThreads) {
 
 /// Hills with a pattern on them, houses and crowns in rows, and ground of its own.
 ExampleGround town_on_hills() {
-  ExampleGround ground = level_ground();
+  ExampleGround ground = even_example();
   ground.height_m = [](Vec2d p) { return 25.0 * std::sin(0.021 * p.x + 0.006 * p.y) * std::cos(0.017 * p.y); };
   ground.pattern = [](const radar::Look& look, Vec2d p) {
     return 1.0F + 0.5F * static_cast<float>(std::sin(0.05 * p.x + look.aspect.azimuth_rad));
@@ -188,7 +181,7 @@ TEST_F(LiveRendererTest, GivesTheSameBytesOfHillsObstaclesAndTargetsForAnyNumber
 }
 
 TEST_F(LiveRendererTest, AScanFillsTheFrameBeamByBeam) {
-  const auto ground = level_ground().over(*store_);
+  const auto ground = even_example().over(*store_);
   const ExampleView view;
   LiveRenderer at_once(ground, view.settings(FrameContent::Amplitudes));
   LiveRenderer scanning(ground, view.settings(FrameContent::Amplitudes));
@@ -198,15 +191,8 @@ TEST_F(LiveRendererTest, AScanFillsTheFrameBeamByBeam) {
   EXPECT_TRUE(std::ranges::equal(whole.amplitudes_m, swept.amplitudes_m));
 }
 
-/// Every channel of every bin, as they are.
-std::vector<float> numbers_of(const Frame& frame) {
-  std::vector<float> numbers(frame.powers_m2.begin(), frame.powers_m2.end());
-  for (const std::complex<float>& a : frame.amplitudes_m) numbers.insert(numbers.end(), {a.real(), a.imag()});
-  return numbers;
-}
-
 TEST_F(LiveRendererTest, AStepWithoutABeamIsRefused) {
-  const auto ground = level_ground().over(*store_);
+  const auto ground = even_example().over(*store_);
   const ExampleView view;
   LiveRenderer renderer(ground, view.settings(FrameContent::Powers));
   const std::vector<float> before = numbers_of(settled_frame(renderer, *ground, view.pose()));
@@ -216,7 +202,7 @@ TEST_F(LiveRendererTest, AStepWithoutABeamIsRefused) {
 }
 
 TEST_F(LiveRendererTest, AFrameSaysOfWhichFrequencyAndEarthItIs) {
-  const auto ground = level_ground().over(*store_);
+  const auto ground = even_example().over(*store_);
   const ExampleView view;
   LiveSettings settings = view.settings(FrameContent::Powers);
   settings.refraction = 1.5;
@@ -227,7 +213,7 @@ TEST_F(LiveRendererTest, AFrameSaysOfWhichFrequencyAndEarthItIs) {
 }
 
 TEST_F(LiveRendererTest, TheSameGroundAnswersWithTheSamePhase) {
-  const auto ground = level_ground().over(*store_);
+  const auto ground = even_example().over(*store_);
   const ExampleView view;
   LiveRenderer renderer(ground, view.settings(FrameContent::Amplitudes));
   const Frame& frame = settled_frame(renderer, *ground, view.pose());
@@ -253,7 +239,7 @@ TEST_F(LiveRendererTest, TheSameGroundAnswersWithTheSamePhase) {
 }
 
 TEST_F(LiveRendererTest, AHillHidesWhatLiesBehindIt) {
-  ExampleGround ridge = level_ground();
+  ExampleGround ridge = even_example();
   ridge.height_m = [](Vec2d p) { return std::abs(p.y) < 8.0 ? 30.0 : 0.0; };
   const auto ground = ridge.over(*store_);
   ExampleView view;
@@ -276,7 +262,7 @@ TEST_F(LiveRendererTest, AHillHidesWhatLiesBehindIt) {
 }
 
 TEST_F(LiveRendererTest, ShowsCoarserGroundUntilTheFinerIsThere) {
-  const auto ground = level_ground().over(*store_);
+  const auto ground = even_example().over(*store_);
   const ExampleView view;
   LiveRenderer renderer(ground, view.settings(FrameContent::Powers));
   const Frame& frame = renderer.render(view.pose());
@@ -295,7 +281,7 @@ TEST_F(LiveRendererTest, ShowsCoarserGroundUntilTheFinerIsThere) {
 }
 
 TEST_F(LiveRendererTest, MemoryStaysWithinTheBudget) {
-  ExampleGround small = level_ground();
+  ExampleGround small = even_example();
   small.cache.budget_bytes = std::size_t{16} << 20U;
   const auto ground = small.over(*store_);
   ExampleView view;
@@ -318,7 +304,7 @@ double largest(const Frame& frame) {
 }
 
 TEST_F(LiveRendererTest, BinsNearerThanAllGroundHoldTargetsAndNothingElse) {
-  const auto ground = level_ground().over(*store_);
+  const auto ground = even_example().over(*store_);
   const Vec2d middle = ExampleGround{}.middle();
   LiveSettings settings;
   settings.beams = settings.ranges = 32;
@@ -362,7 +348,7 @@ TEST(LiveSettingsCheck, RefractionMayNotBendBeamsAllTheWayAwayFromTheGround) {
 }
 
 TEST_F(LiveRendererTest, GroundBeyondTheAtlasIsCountedButNotGoneOver) {
-  const auto ground = level_ground().over(*store_);
+  const auto ground = even_example().over(*store_);
   LiveSettings settings;
   settings.content = FrameContent::Powers;
   settings.beams = 200;
@@ -391,7 +377,7 @@ TEST_F(LiveRendererTest, GroundBeyondTheAtlasIsCountedButNotGoneOver) {
 }
 
 TEST_F(LiveRendererTest, TheAltitudeReturnIsThatOfAFrameHoweverAScanIsCut) {
-  const auto ground = level_ground().over(*store_);
+  const auto ground = even_example().over(*store_);
   const Vec2d middle = ExampleGround{}.middle();
   constexpr double height_m = 300.0;
   LiveSettings settings;
@@ -413,7 +399,7 @@ TEST_F(LiveRendererTest, TheAltitudeReturnIsThatOfAFrameHoweverAScanIsCut) {
       }
       // The disc that the first bins reach over, with the σ0 of the steepest elevation baked.
       const double disc_m2 = pi * ((height_m + 16.0) * (height_m + 16.0) - height_m * height_m);
-      EXPECT_NEAR(db_from_linear(sum / (gamma * std::sin(radians_from_deg(37.0)) * disc_m2)), 0.0, 0.1);
+      EXPECT_NEAR(db_from_linear(sum / (example_gamma * std::sin(radians_from_deg(37.0)) * disc_m2)), 0.0, 0.1);
     }
     for (const std::size_t a_step : {64UL, 7UL, 1UL}) {
       LiveRenderer scanning(ground, settings);
@@ -425,7 +411,7 @@ TEST_F(LiveRendererTest, TheAltitudeReturnIsThatOfAFrameHoweverAScanIsCut) {
 }
 
 TEST_F(LiveRendererTest, ATurnOfAnyNumberOfBeamsHasThePowerOfTheGround) {
-  const auto ground = level_ground().over(*store_);
+  const auto ground = even_example().over(*store_);
   const Vec2d middle = ExampleGround{}.middle();
   constexpr double height_m = 400.0;
   for (const std::size_t beams : {8UL, 9UL, 13UL, 100UL, 200UL}) {
@@ -443,7 +429,7 @@ TEST_F(LiveRendererTest, ATurnOfAnyNumberOfBeamsHasThePowerOfTheGround) {
       double sum = 0.0, expected = 0.0;
       for (std::size_t range = 0; range < settings.ranges; ++range) {
         sum += frame.powers_m2[(beam * settings.ranges + range) * 4];
-        expected += expected_rcs(frame.grid, range, height_m, gamma);
+        expected += rcs_of_bin(frame.grid, range, height_m, example_gamma);
       }
       EXPECT_NEAR(db_from_linear(sum / expected), 0.0, 0.3) << beam << " of " << beams;
     }
@@ -473,7 +459,7 @@ TEST(LiveSettings, WhatNoFrameCanComeFromIsRefused) {
 
 // Of two looks one shines and the other is dark: a place takes of each by how far round it is, be it half a turn.
 TEST(LiveRenderer, BlendsLooksThatAreHalfATurnApart) {
-  ExampleGround example = level_ground();
+  ExampleGround example = even_example();
   example.azimuths = 2;
   example.pattern = [](const radar::Look& look, Vec2d) {
     return std::abs(look.aspect.azimuth_rad) < 1.0 ? 1.0F : 0.0F;
@@ -494,7 +480,7 @@ TEST(LiveRenderer, BlendsLooksThatAreHalfATurnApart) {
       double sum = 0.0, expected = 0.0;
       for (std::size_t range = 8; range + 8 < view.ranges; ++range) {
         sum += static_cast<double>(frame.powers_m2[(beam * view.ranges + range) * 4]);
-        expected += expected_rcs(frame.grid, range, pose.position.z, gamma);
+        expected += rcs_of_bin(frame.grid, range, pose.position.z, example_gamma);
       }
       const double seen_from_deg = azimuth_deg + deg_from_radians((static_cast<double>(beam) + 0.5) *
                                                                   view.settings(FrameContent::Powers).beam_step_rad);

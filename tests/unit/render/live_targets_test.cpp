@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "drawn_by_hand.h"
+#include "frame_numbers.h"
 #include "live_ground_example.h"
 
 #include "sigmascape/atlas/atlas.h"
@@ -309,7 +310,7 @@ struct Taken {
   std::size_t bins = 0, brighter = 0;
 };
 
-Taken taken(const std::vector<float>& without, const std::vector<float>& with) {
+Taken taken_away(const std::vector<float>& without, const std::vector<float>& with) {
   Taken result{.power_m2 = sum_of(without) - sum_of(with)};
   for (std::size_t bin = 0; bin < with.size(); ++bin) {
     if (with[bin] != without[bin]) ++result.bins;
@@ -349,7 +350,7 @@ TEST_F(LiveTargetsTest, ABoxDarkensItsShadowAndNothingElse) {
   const Vec3d size{30.0, 60.0, 20.0};
   const std::vector<radar::Target> targets{box_at(view.target + Vec2d{0.0, 40.0}, size)};
   const std::vector<float> open = powers_of({}, ground, view), shaded = powers_of(targets, ground, view);
-  const Taken live = taken(open, shaded);
+  const Taken live = taken_away(open, shaded);
   EXPECT_EQ(live.brighter, 0U);
 
   // Seen from the north: from the near face to where the line of sight over the far edge of the roof comes down.
@@ -390,9 +391,7 @@ TEST_F(LiveTargetsTest, ABoxFarOverTheEarthShadesByItsOwnHorizontal) {
   const auto power_m2 = [&] {
     const Frame& frame = settled_frame(renderer, *ground, pose);
     EXPECT_EQ(frame.report.dark, 0U);
-    double sum = 0.0;
-    for (std::size_t i = 0; i < frame.powers_m2.size(); i += 4) sum += static_cast<double>(frame.powers_m2[i]);
-    return sum;
+    return total_vv(frame);
   };
   const double open = power_m2();
   pose.targets = targets;
@@ -412,9 +411,9 @@ TEST_F(LiveTargetsTest, ShadowsAreThoseOfTheOfflineMap) {
     view.bin_m = 8.0;
     const std::vector<radar::Target> targets{box_at(view.target + Vec2d{20.0, 30.0}, {50.0, 30.0, 15.0}, 40.0),
                                              box_at(view.target + Vec2d{-60.0, -45.0}, {40.0, 40.0, 10.0}, 15.0)};
-    const Taken live = taken(powers_of({}, ground, view), powers_of(targets, ground, view));
-    const Taken offline = taken(offline_powers({}, *store_, example.terrain(), view),
-                                offline_powers(targets, *store_, example.terrain(), view));
+    const Taken live = taken_away(powers_of({}, ground, view), powers_of(targets, ground, view));
+    const Taken offline = taken_away(offline_powers({}, *store_, example.terrain(), view),
+                                     offline_powers(targets, *store_, example.terrain(), view));
     EXPECT_GT(offline.power_m2, 0.0);
     EXPECT_NEAR(live.power_m2 / offline.power_m2, 1.0, 0.04) << azimuth_deg;
   }

@@ -13,6 +13,7 @@
 #include <thread>
 #include <vector>
 
+#include "frame_numbers.h"
 #include "live_ground_example.h"
 #include "terrain_short_of_tiles.h"
 #include "unit/terrain/round_hills.h"
@@ -33,8 +34,7 @@ double hills(Vec2d p) {
 }
 
 ExampleGround hilly() {
-  ExampleGround ground;
-  ground.sigma0 = [](const radar::Look& look) { return constant_gamma(0.1, look); };
+  ExampleGround ground = even_example();
   ground.height_m = hills;
   return ground;
 }
@@ -42,12 +42,6 @@ ExampleGround hilly() {
 std::shared_ptr<terrain::TerrainPyramid> opened(const std::filesystem::path& folder, std::size_t budget_bytes) {
   return std::shared_ptr<terrain::TerrainPyramid>(
       new terrain::TerrainPyramid(terrain::open_pyramid(folder, budget_bytes)));
-}
-
-double total(const Frame& frame) {
-  double sum = 0.0;
-  for (std::size_t i = 0; i < frame.powers_m2.size(); i += 4) sum += static_cast<double>(frame.powers_m2[i]);
-  return sum;
 }
 
 /// All tests look at one atlas; its own ground is hilly.
@@ -327,10 +321,10 @@ TEST_F(LiveTerrainTest, ATileThatIsNotThereCostsItsPlaceAndIsReported) {
   EXPECT_GT(frame.report.terrain_error_m, 0.0);
   EXPECT_EQ(frame.report.dark, 0U);
   EXPECT_EQ(ground->terrain().pyramid().faults().size(), 1U);
-  const double with_fault = total(frame);
+  const double with_fault = total_vv(frame);
   const auto sound = example_.over(*store_);
   LiveRenderer expected(sound, view.settings(FrameContent::Powers));
-  EXPECT_NEAR(db_from_linear(with_fault / total(settled_frame(expected, *sound, view.pose()))), 0.0, 1.0);
+  EXPECT_NEAR(db_from_linear(with_fault / total_vv(settled_frame(expected, *sound, view.pose()))), 0.0, 1.0);
 }
 
 /// 9 km of the example's hills: their coarsest level is coarser than any texels of the atlas ask for.
@@ -416,8 +410,8 @@ TEST_F(LiveTerrainTest, ThePapersPictureShowsTheFrameOfTheSweep) {
     for (std::size_t i = 0; i < sweep.powers_m2.size(); i += 4) {
       differ += std::abs(static_cast<double>(sweep.powers_m2[i]) - static_cast<double>(raster.powers_m2[i]));
     }
-    EXPECT_NEAR(db_from_linear(total(raster) / total(sweep)), 0.0, 0.1) << elevation_deg;
-    EXPECT_LT(differ / total(sweep), 0.05) << elevation_deg;
+    EXPECT_NEAR(db_from_linear(total_vv(raster) / total_vv(sweep)), 0.0, 0.1) << elevation_deg;
+    EXPECT_LT(differ / total_vv(sweep), 0.05) << elevation_deg;
   }
 }
 
@@ -471,7 +465,7 @@ TEST_F(LiveTerrainTest, NoStepShowsOverHillsWhereTheLevelsChange) {
     ground->wait_until_loaded();
     const Frame& frame = renderer.render(pose);
     EXPECT_EQ(frame.report.terrain_error_m, 0.0) << step;
-    const double sum = total(frame);
+    const double sum = total_vv(frame);
     // What a step makes of grazing angles and of the width of the beams is less than this.
     if (step > 0) {
       EXPECT_NEAR(db_from_linear(sum / last), 0.0, 0.2) << step;

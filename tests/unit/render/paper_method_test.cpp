@@ -13,9 +13,9 @@ namespace {
 constexpr radar::GroundGrid patch{.west_m = 0, .north_m = 512, .cell_m = 2.0, .columns = 256, .rows = 256};
 const atlas::AspectGrid paper_grid = atlas::paper_aspect_grid();
 
-using Texel = std::function<double(std::size_t column, std::size_t row, const radar::Aspect& aspect)>;
+using PaperTexel = std::function<double(std::size_t column, std::size_t row, const radar::Aspect& aspect)>;
 
-PaperTextures textures_of(const Texel& texel) {
+PaperTextures textures_of(const PaperTexel& texel) {
   std::vector<Array2D<radar::Channels>> looks;
   for (atlas::LookIndex look = 0; look < paper_grid.look_count(); ++look) {
     Array2D<radar::Channels>& texels = looks.emplace_back(patch.columns, patch.rows);

@@ -23,14 +23,14 @@ constexpr std::uintptr_t by_caller_bit = 1;
 static_assert(alignof(std::mutex) > by_caller_bit);
 
 std::array<Locked, 1U << 20U> locked;
-std::atomic<std::size_t> count{0};
+std::atomic<std::size_t> recorded{0};
 std::atomic<bool> is_recording{false};
 thread_local bool is_caller = false;
 
 #ifdef SIGMASCAPE_LOCKS_ARE_RECORDED
 void record(const void* mutex) {
   if (!is_recording) return;
-  const std::size_t place = count.fetch_add(1);
+  const std::size_t place = recorded.fetch_add(1);
   if (place >= locked.size()) return;
   locked[place] = reinterpret_cast<std::uintptr_t>(mutex) | (is_caller ? by_caller_bit : 0U);
 }
@@ -47,14 +47,14 @@ bool can_record_locks() {
 }
 
 LockedMutexes locked_during(const std::function<void()>& work) {
-  count = 0;
+  recorded = 0;
   is_caller = true;
   is_recording = true;
   work();
   is_recording = false;
   is_caller = false;
   LockedMutexes result;
-  const std::size_t last = std::min(count.load(), locked.size());
+  const std::size_t last = std::min(recorded.load(), locked.size());
   for (std::size_t place = 0; place < last; ++place) {
     const std::uintptr_t entry = locked[place].exchange(0);
     if (entry == 0) continue;  // claimed, and not yet written

@@ -7,6 +7,7 @@
 #include <map>
 #include <string>
 
+#include "frame_numbers.h"
 #include "live_ground_example.h"
 
 #include "sigmascape/base/error.h"
@@ -21,7 +22,7 @@ double gamma_from(double azimuth_rad) {
   return 0.1 * (1.0 + 0.5 * std::cos(azimuth_rad));
 }
 
-radar::Channels level_ground(const radar::Look& look) {
+radar::Channels sigma0_by_azimuth(const radar::Look& look) {
   return constant_gamma(gamma_from(look.aspect.azimuth_rad), look);
 }
 
@@ -32,7 +33,7 @@ ExampleGround ground_about_the_origin(int azimuths) {
   ground.about_origin = true;
   ground.azimuths = azimuths;
   ground.elevations_deg = {5.0, 13.0, 21.0, 29.0, 37.0};
-  ground.sigma0 = level_ground;
+  ground.sigma0 = sigma0_by_azimuth;
   ground.pattern = [texel_m = ground.texel_m](const radar::Look&, Vec2d p) {
     const auto parity = static_cast<long>(std::floor(p.x / texel_m)) + static_cast<long>(std::floor(p.y / texel_m));
     return parity % 2 == 0 ? 1.5F : 0.5F;
@@ -54,7 +55,7 @@ ExampleGround apart_about_the_origin(int azimuths) {
 
 /// From a baked azimuth, so that γ is that of its look; of the beams in the middle, over level ground: σ0 times the
 /// area of each bin, in decibels off.
-double error_db(const Frame& frame, const ExampleView& view, double ground_m = 0.0) {
+double error_of_middle_db(const Frame& frame, const ExampleView& view, double ground_m = 0.0) {
   double sum = 0.0, expected = 0.0;
   const radar::RangeAzimuthGrid& grid = frame.grid;
   for (std::size_t range = 4; range + 4 < view.ranges; ++range) {
@@ -79,7 +80,7 @@ void expect_light(const ExampleGround& example, const atlas::Store& store, std::
     const Frame& frame = renderer.render(view.pose());
     EXPECT_EQ(frame.report.dark, 0U) << azimuth_deg;
     EXPECT_GE(frame.report.coarse, frame.report.cells) << azimuth_deg;
-    EXPECT_NEAR(error_db(frame, view), 0.0, 0.05) << azimuth_deg;
+    EXPECT_NEAR(error_of_middle_db(frame, view), 0.0, 0.05) << azimuth_deg;
   }
 }
 
@@ -161,7 +162,7 @@ ExampleGround unlike_texels() {
   example.about_origin = true;
   example.patches_a_side = 4;
   example.elevations_deg = {5.0, 37.0};
-  example.sigma0 = level_ground;
+  example.sigma0 = sigma0_by_azimuth;
   example.pattern = [](const radar::Look& look, Vec2d p) {
     return static_cast<float>(1.0 + 0.5 * std::sin(p.x / 70.0 + look.aspect.azimuth_rad) * std::cos(p.y / 110.0) +
                               (p.x < 0.0 ? 0.25 : 0.0) + (p.y < 0.0 ? 0.2 : 0.0));
@@ -313,12 +314,6 @@ TEST(StandInGround, HasTheReliefUnderItsTexels) {
   EXPECT_EQ(wrong, 0U);
 }
 
-double total_vv(const Frame& frame) {
-  double sum = 0.0;
-  for (std::size_t bin = 0; bin < frame.powers_m2.size(); bin += 4) sum += static_cast<double>(frame.powers_m2[bin]);
-  return sum;
-}
-
 // Texels of 32 m over hills 50 m wide: what is seen of them is a matter of the terrain and not of the texels.
 TEST(StandInGround, IsSeenWhereTheTerrainLetsItBeSeen) {
   const ScratchFolder folder;
@@ -379,7 +374,7 @@ TEST(StandInGround, StandsAtItsOwnHeightsUntilTheTerrainIsThere) {
   const Frame& frame = renderer.render(view.pose());
   EXPECT_EQ(frame.report.coarse, frame.report.cells);
   EXPECT_EQ(frame.report.terrain_error_m, 100.0);
-  EXPECT_NEAR(error_db(frame, view, 100.0), 0.0, 0.05);
+  EXPECT_NEAR(error_of_middle_db(frame, view, 100.0), 0.0, 0.05);
 }
 
 TEST(StandInGround, LacksThePagesOfALookThatCannotBeRead) {

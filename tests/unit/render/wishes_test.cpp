@@ -14,7 +14,7 @@ namespace sigmascape::render {
 namespace {
 
 /// All that is wanted, in order.
-std::vector<int> taken(Wishes<int>& wishes) {
+std::vector<int> all_taken(Wishes<int>& wishes) {
   std::vector<int> all;
   for (int wish = 0; wishes.take(wish);) all.push_back(wish);
   return all;
@@ -33,7 +33,7 @@ TEST(Wishes, TheLastListCountsAndItsFirstComesFirst) {
   EXPECT_EQ(first, 4);
   EXPECT_FALSE(wishes.empty());
   asker.request(List{7, 8, 9});
-  EXPECT_EQ(taken(wishes), (std::vector{7, 8, 9}));
+  EXPECT_EQ(all_taken(wishes), (std::vector{7, 8, 9}));
   EXPECT_TRUE(wishes.empty());
   asker.request(List{1, 2, 3});
   asker.request({});
@@ -46,11 +46,11 @@ TEST(Wishes, WhoeverAskedLastComesFirst) {
   other.request(List{4, 5, 6});
   EXPECT_FALSE(wishes.empty());
   one.request(List{1, 2, 3});
-  EXPECT_EQ(taken(wishes), (std::vector{1, 2, 3, 4, 5, 6}));
+  EXPECT_EQ(all_taken(wishes), (std::vector{1, 2, 3, 4, 5, 6}));
   one.request(List{1, 2, 3});
   EXPECT_FALSE(wishes.empty());
   other.request(List{4, 5, 6});
-  EXPECT_EQ(taken(wishes), (std::vector{4, 5, 6, 1, 2, 3}));
+  EXPECT_EQ(all_taken(wishes), (std::vector{4, 5, 6, 1, 2, 3}));
 }
 
 TEST(Wishes, GoWithTheirAskerOrWhenTheyAreCleared) {
@@ -62,12 +62,12 @@ TEST(Wishes, GoWithTheirAskerOrWhenTheyAreCleared) {
     goes.request(List{4, 5, 6});
     EXPECT_FALSE(wishes.empty());
   }
-  EXPECT_EQ(taken(wishes), (std::vector{1, 2, 3}));
+  EXPECT_EQ(all_taken(wishes), (std::vector{1, 2, 3}));
   stays.request(List{1, 2, 3});
   wishes.clear();
   EXPECT_TRUE(wishes.empty());
   stays.request(List{7, 8, 9});
-  EXPECT_EQ(taken(wishes), (std::vector{7, 8, 9}));
+  EXPECT_EQ(all_taken(wishes), (std::vector{7, 8, 9}));
 }
 
 TEST(Wishes, AskingTakesNoMemory) {

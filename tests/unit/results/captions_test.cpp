@@ -8,7 +8,7 @@ namespace sigmascape::cli {
 namespace {
 
 /// Of the paper's method at the view of Figure 8.
-ViewResult made_view(const ResultsPlan& plan) {
+ViewResult paper_result(const ResultsPlan& plan) {
   ViewResult result{.of = made_case(plan, Method::Paper, ViewKind::Paper),
                     .view = plan.views.front(),
                     .atlas = {.looks = 40, .store_bytes = 26'840'000, .memory_bytes = 35'790'000},
@@ -23,7 +23,7 @@ ViewResult made_view(const ResultsPlan& plan) {
 }
 
 TEST(ResultsCaptions, SayHowCloseAMapComesAndWhatItTakes) {
-  ViewResult view = made_view(made_plan());
+  ViewResult view = paper_result(made_plan());
   EXPECT_EQ(caption_of(view),
             "paper, 8 × 5: correlation 0.820, 8.60 dB RMS at 8 m cells; 0.13 s, 26.84 MB stored, 35.79 MB in memory");
   view.noise_floor.at = {{.cell_m = summary_cell_m, .correlation_db = 0.985, .rms_db = 1.79}};
@@ -33,7 +33,7 @@ TEST(ResultsCaptions, SayHowCloseAMapComesAndWhatItTakes) {
 }
 
 TEST(ResultsCaptions, SayWhatTheTracedMapTakes) {
-  ViewResult view = made_view(made_plan());
+  ViewResult view = paper_result(made_plan());
   view.view.traced_samples = 512;
   EXPECT_EQ(traced_caption(view, 1'640'000),
             "Path-traced from the full scene, the mean of two maps: 19.5 s for each of 512 rays a cell, 1.64 MB of "
@@ -42,7 +42,7 @@ TEST(ResultsCaptions, SayWhatTheTracedMapTakes) {
 
 TEST(ResultsCaptions, AreOfTheViewWithWhateverRaysItWasTraced) {
   const ResultsPlan plan = made_plan();
-  ViewResult changed = made_view(plan), elsewhere = changed, wanted = changed;
+  ViewResult changed = paper_result(plan), elsewhere = changed, wanted = changed;
   changed.of.change = halves_change;
   elsewhere.view.azimuth_deg += 1.0;
   wanted.view.traced_samples *= 4;

@@ -16,7 +16,7 @@ using ::testing::StartsWith;
 
 /// Rows in which missing angles take 2 dB at held-out views, the bake's noise 5 dB at views that were baked, shadows
 /// 1 dB and an L1 of 0.3 at held-out views, and hills 9 dB against level ground, whose truth is another.
-std::vector<ResultsRow> made_rows(const ResultsPlan& plan) {
+std::vector<ResultsRow> rows_with_causes(const ResultsPlan& plan) {
   const auto own_look_of = [&](ViewKind kind, std::uint32_t samples) {
     ResultsCase of = made_case(plan, Method::OwnGround, kind);
     of.grid = own_look;
@@ -37,7 +37,7 @@ std::vector<ResultsRow> made_rows(const ResultsPlan& plan) {
 
 TEST(ResultsCauses, AreWeighedAtTheSameViewsAlone) {
   const ResultsPlan plan = made_plan();
-  const auto rows = made_rows(plan);
+  const auto rows = rows_with_causes(plan);
   EXPECT_THAT(largest_causes(plan, rows, ViewKind::HeldOut),
               AllOf(StartsWith("The largest by RMS is: missing angles (ours"),
                     HasSubstr("falls by 2.00 dB in the median over the views, at 4 of 4; it is the largest cause at 4 "
@@ -51,11 +51,12 @@ TEST(ResultsCauses, AreWeighedAtTheSameViewsAlone) {
 TEST(ResultsCauses, ByRelativeL1MayBeOthersThanByRms) {
   const ResultsPlan plan = made_plan();
   EXPECT_THAT(
-      largest_causes(plan, made_rows(plan), ViewKind::HeldOut),
+      largest_causes(plan, rows_with_causes(plan), ViewKind::HeldOut),
       HasSubstr("By relative L1 it is: flat-ground shadows on slopes (ours: shadows baked against made at run time). "
                 "Without it L1 falls by 0.300 in the median over the views, at 4 of 4; it is the largest cause at 4 of "
                 "these views."));
-  EXPECT_THAT(largest_causes(plan, made_rows(plan), ViewKind::OnGrid), HasSubstr("No cause adds to the relative L1."));
+  EXPECT_THAT(largest_causes(plan, rows_with_causes(plan), ViewKind::OnGrid),
+              HasSubstr("No cause adds to the relative L1."));
 }
 
 TEST(ResultsCauses, ThatAreTheSameByBothAreSaidToBe) {
@@ -154,7 +155,7 @@ TEST(ResultsCauses, StandOnlyAmongThoseOfTheirKindOfViews) {
 
 TEST(ResultsCauses, HaveTheTruthsNoiseBesideThem) {
   const ResultsPlan plan = made_plan();
-  const auto rows = made_rows(plan);
+  const auto rows = rows_with_causes(plan);
   const char* truth = "| *truth* | one traced map against another | 0.900 | 2.00 |";
   EXPECT_THAT(causes_table(plan, rows, ViewKind::OnGrid), HasSubstr(truth));
   EXPECT_THAT(causes_table(plan, rows, ViewKind::HeldOut), Not(HasSubstr(truth))) << "no row of the paper's method";

@@ -14,7 +14,7 @@ using ::testing::AllOf;
 using ::testing::HasSubstr;
 
 /// Ours from the paper's grid, from more elevations, from more azimuths and from both.
-std::vector<ResultsRow> made_rows(const ResultsPlan& plan, double with_elevations_db, double with_azimuths_db) {
+std::vector<ResultsRow> rows_of_grids(const ResultsPlan& plan, double with_elevations_db, double with_azimuths_db) {
   const ResultsCase own = made_case(plan, Method::OwnGround, ViewKind::HeldOut);
   ResultsCase elevations = own, azimuths = own, both = own;
   elevations.grid = plan.more_elevations().name();
@@ -38,7 +38,7 @@ TEST(ResultsChanges, GridOfTheTablesIsWhatIsBakedByDefault) {
 TEST(ResultsChanges, SayWhatTheNextGridTakesAndGives) {
   const ResultsPlan plan = made_plan();
   EXPECT_THAT(
-      worth_of_looks(plan, made_rows(plan, 5.8, 4.0)),
+      worth_of_looks(plan, rows_of_grids(plan, 5.8, 4.0)),
       AllOf(HasSubstr(
                 "More azimuths, 16 × 5 looks, take 2.00 dB off the RMS error for 10.00 MB more: 0.200 dB a megabyte."),
             HasSubstr("`sigmascape bake` takes 8 × 5 looks by default. 16 × 6 looks (`--azimuths 16 "
@@ -49,14 +49,15 @@ TEST(ResultsChanges, SayWhatTheNextGridTakesAndGives) {
 
 TEST(ResultsChanges, ChooseWhatTakesClearlyMoreOffForAMegabyteFirst) {
   const ResultsPlan plan = made_plan();
-  EXPECT_THAT(worth_of_looks(plan, made_rows(plan, 5.9, 4.0)), HasSubstr("azimuths first, 16 × 5"));
-  EXPECT_THAT(worth_of_looks(plan, made_rows(plan, 5.0, 5.9)), HasSubstr("elevations first, 8 × 6"));
-  EXPECT_THAT(worth_of_looks(plan, made_rows(plan, 5.6, 4.0)), HasSubstr("elevations and azimuths together, 16 × 6"));
+  EXPECT_THAT(worth_of_looks(plan, rows_of_grids(plan, 5.9, 4.0)), HasSubstr("azimuths first, 16 × 5"));
+  EXPECT_THAT(worth_of_looks(plan, rows_of_grids(plan, 5.0, 5.9)), HasSubstr("elevations first, 8 × 6"));
+  EXPECT_THAT(worth_of_looks(plan, rows_of_grids(plan, 5.6, 4.0)),
+              HasSubstr("elevations and azimuths together, 16 × 6"));
 }
 
 TEST(ResultsChanges, ChooseNoLooksThatMakeMapsWorse) {
   const ResultsPlan plan = made_plan();
-  auto rows = made_rows(plan, 6.2, 6.1);
+  auto rows = rows_of_grids(plan, 6.2, 6.1);
   rows.back() = made_row(rows.back().of, 6.3, 0.5, 25'000'000);
   const std::string text = worth_of_looks(plan, rows);
   EXPECT_THAT(text, AllOf(HasSubstr("More azimuths, 16 × 5 looks, add 0.10 dB to the RMS error"), HasSubstr("5 % more"),
@@ -66,7 +67,7 @@ TEST(ResultsChanges, ChooseNoLooksThatMakeMapsWorse) {
 TEST(ResultsChanges, SayOfEachWhetherItWasKept) {
   const ResultsPlan plan = made_plan();
   for (const Change& change : changes(plan)) EXPECT_FALSE(change.kept.empty()) << change.contrast.name;
-  auto rows = made_rows(plan, 5.8, 4.0);
+  auto rows = rows_of_grids(plan, 5.8, 4.0);
   ResultsCase bound = rows[0].of;
   bound.change = renormalized_change;
   rows.push_back(made_row(bound, 5.0, 0.4, 10'000'000));

@@ -15,7 +15,7 @@ using ::testing::Not;
 
 /// Ways to a map at held-out views: the paper's, one better in fewer bytes, one better still in more; and what is no
 /// way: the view's own look, a level of detail, an upper bound, a traced map, and views that were baked.
-std::vector<ResultsRow> made_rows(const ResultsPlan& plan) {
+std::vector<ResultsRow> rows_of_ways(const ResultsPlan& plan) {
   const ResultsCase paper = made_case(plan, Method::Paper, ViewKind::HeldOut);
   const ResultsCase own = made_case(plan, Method::OwnGround, ViewKind::HeldOut);
   ResultsCase finer = own, look = own, coarse = own, bound = own, traced = own, on_grid = own;
@@ -32,7 +32,7 @@ std::vector<ResultsRow> made_rows(const ResultsPlan& plan) {
 
 TEST(ResultsCombinations, BestIsTheLeastRmsOfHeldOutViewsInTheBytesGiven) {
   const ResultsPlan plan = made_plan();
-  const auto rows = made_rows(plan);
+  const auto rows = rows_of_ways(plan);
   EXPECT_EQ(best_combination(plan, rows, 1000), &rows[1]);
   EXPECT_EQ(best_combination(plan, rows, 1'000'000), &rows[2]);
   EXPECT_EQ(best_combination(plan, rows, 1), nullptr);
@@ -40,7 +40,7 @@ TEST(ResultsCombinations, BestIsTheLeastRmsOfHeldOutViewsInTheBytesGiven) {
 
 /// Rows whose medians are so far apart, the second of which is closer at three of four views all the same.
 std::vector<ResultsRow> nearly_alike_rows(const ResultsPlan& plan, double apart_db) {
-  auto rows = made_rows(plan);
+  auto rows = rows_of_ways(plan);
   ResultsCase usual = rows[2].of;
   usual.baked_samples = 0;
   usual.change = adaptive_change;
@@ -67,7 +67,7 @@ TEST(ResultsCombinations, BestIsTheLeastMedianWhereMediansDiffer) {
 
 TEST(ResultsCombinations, SayByWhatRuleTheyAreTheBestAndBelowWhatNoErrorCanBeShown) {
   const ResultsPlan plan = made_plan();
-  EXPECT_THAT(combinations_table(plan, made_rows(plan)),
+  EXPECT_THAT(combinations_table(plan, rows_of_ways(plan)),
               AllOf(HasSubstr("of ways within 0.05 dB of the least the one that is closer at more of the views"),
                     HasSubstr("two traced maps of one view differ by 2.00 dB themselves, no error below half of that, "
                               "1.00 dB, can be shown.")));
@@ -75,7 +75,7 @@ TEST(ResultsCombinations, SayByWhatRuleTheyAreTheBestAndBelowWhatNoErrorCanBeSho
 
 TEST(ResultsCombinations, BestMayHaveRaysWhereTheNoiseIs) {
   const ResultsPlan plan = made_plan();
-  auto rows = made_rows(plan);
+  auto rows = rows_of_ways(plan);
   ResultsCase usual = rows[2].of, look = rows[3].of;
   for (ResultsCase* of : {&usual, &look}) {
     of->baked_samples = 0;
@@ -118,7 +118,7 @@ TEST(ResultsCombinations, AMapWithoutFaultIsHalfTheDifferenceOfTwoTracedMapsFrom
 
 TEST(ResultsCombinations, TableHasThePapersOursFromItsLooksTheBestInItsBytesAndTheBest) {
   const ResultsPlan plan = made_plan();
-  auto rows = made_rows(plan);
+  auto rows = rows_of_ways(plan);
   rows[0].trace_seconds = 19.4;
   EXPECT_THAT(
       combinations_table(plan, rows),
@@ -136,7 +136,7 @@ TEST(ResultsCombinations, TableHasThePapersOursFromItsLooksTheBestInItsBytesAndT
 
 TEST(ResultsCombinations, LimitsAreOfTheGridsThatTheyName) {
   const ResultsPlan plan = made_plan();
-  const std::string text = limits_section(plan, made_rows(plan));
+  const std::string text = limits_section(plan, rows_of_ways(plan));
   // 36 = 20 + 1 + 15 and 25 = 9 + 1 + 15 dB².
   EXPECT_THAT(text, HasSubstr("What limits *ours, on its own ground, 8 × 5* most is missing angles."));
   EXPECT_THAT(text, HasSubstr("missing angles are at least 56 %, the truth's noise at least 3 %, and the bake's noise, "
@@ -148,7 +148,7 @@ TEST(ResultsCombinations, LimitsAreOfTheGridsThatTheyName) {
 
 TEST(ResultsCombinations, OfAWayThatIsCloserThanTheOwnLookNoShareIsTold) {
   const ResultsPlan plan = made_plan();
-  auto rows = made_rows(plan);
+  auto rows = rows_of_ways(plan);
   rows[3] = made_row(rows[3].of, 5.5, 0.2, 100);
   EXPECT_THAT(
       limits_section(plan, rows),
@@ -161,7 +161,7 @@ TEST(ResultsCombinations, OfAWayThatIsCloserThanTheOwnLookNoShareIsTold) {
 // 25 dB² against 4.8² = 23.04: noise that is averaged may hide more than these 8 %.
 TEST(ResultsCombinations, OfAWayThatIsHardlyFartherOffThanTheOwnLookNoShareIsToldEither) {
   const ResultsPlan plan = made_plan();
-  auto rows = made_rows(plan);
+  auto rows = rows_of_ways(plan);
   rows[3] = made_row(rows[3].of, 4.8, 0.2, 100);
   EXPECT_THAT(limits_section(plan, rows),
               AllOf(HasSubstr("*ours, on its own ground, 16 × 6* comes about as close to the truth, 5.00 dB RMS, as a "
@@ -171,7 +171,7 @@ TEST(ResultsCombinations, OfAWayThatIsHardlyFartherOffThanTheOwnLookNoShareIsTol
 
 TEST(ResultsCombinations, VerdictSaysWhatIsComparedBothMethodsTheBestAndItsSpeed) {
   const ResultsPlan plan = made_plan();
-  auto rows = made_rows(plan);
+  auto rows = rows_of_ways(plan);
   rows[2].render_ms = 184.0;
   EXPECT_EQ(
       verdict(plan, rows),
@@ -184,7 +184,7 @@ TEST(ResultsCombinations, VerdictSaysWhatIsComparedBothMethodsTheBestAndItsSpeed
 
 TEST(ResultsCombinations, VerdictIsOfThePapersMethodWhereOursWasNotMeasuredFromItsLooks) {
   const ResultsPlan plan = made_plan();
-  auto rows = made_rows(plan);
+  auto rows = rows_of_ways(plan);
   rows.erase(rows.begin() + 1);
   EXPECT_THAT(verdict(plan, rows), HasSubstr("From the 8 × 5 directions (azimuths × elevations) of the paper that is "
                                              "followed here the paper's method is off by 8.00 dB "

@@ -1,25 +1,17 @@
 #include "sigmascape/scatter/cook_torrance.h"
 
-#include <cmath>
 #include <gtest/gtest.h>
 #include <numbers>
 
+#include "directions.h"
+
 #include "sigmascape/base/hash.h"
-#include "sigmascape/base/units.h"
 
 namespace sigmascape::scatter {
 namespace {
 
 constexpr CookTorranceParameters concrete{{5.24, 0.0, 0.0462, 0.7822}, 0.3, MicrofacetDistribution::Beckmann};
 constexpr double frequency_hz = 10e9;
-
-Vec3f direction(double incidence_deg, double azimuth_deg) {
-  const double theta = radians_from_deg(incidence_deg);
-  const double phi = radians_from_deg(azimuth_deg);
-  return Vec3d{std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)}.to<float>();
-}
-
-constexpr Vec3f up{0.0F, 0.0F, 1.0F};
 
 /// The channels of the fields that return to where the wave came from, in the bases of the radar: h as seen on
 /// transmission.

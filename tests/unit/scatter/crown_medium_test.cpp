@@ -21,7 +21,7 @@ CrownMedium mirrors() {
   return {{.leaf = Permittivity::constant(16.0, 4.0)}, 10e9};
 }
 
-Vec3f direction(std::uint32_t i, std::uint32_t pair) {
+Vec3f even_direction(std::uint32_t i, std::uint32_t pair) {
   return isotropic().sample({}, {}, SobolPoint(5, i).pair(pair)).direction;
 }
 
@@ -37,7 +37,7 @@ std::array<std::array<Amplitude, 2>, 2> matrix(const CrownMedium& medium, Vec3f 
 TEST(CrownMedium, IsReciprocal) {
   for (const CrownMedium& medium : {isotropic(), mirrors()}) {
     for (std::uint32_t i = 0; i < 2000; ++i) {
-      const Vec3f a = direction(i, 0), b = direction(i, 1);
+      const Vec3f a = even_direction(i, 0), b = even_direction(i, 1);
       const Vec2f u = SobolPoint(5, i).pair(2);
       const auto there = matrix(medium, a, b, {u.x, u.y}), back = matrix(medium, b, a, {u.x, u.y});
       for (std::size_t p = 0; p < 2; ++p) {
@@ -59,7 +59,7 @@ TEST(CrownMedium, ScattersItsAlbedo) {
     for (std::uint32_t i = 0; i < points; ++i) {
       const Vec2f u = SobolPoint(5, i).pair(2);
       const FieldPair out =
-          medium.scatter({{sent.v, {}}, {sent.h, {}}}, to_source, direction(i, 0), no_normal, {u.x, u.y});
+          medium.scatter({{sent.v, {}}, {sent.h, {}}}, to_source, even_direction(i, 0), no_normal, {u.x, u.y});
       power += static_cast<double>(out.mean_power()) * four_pi / points;
     }
     EXPECT_NEAR(power / static_cast<double>(medium.albedo()), 1.0, 0.003);

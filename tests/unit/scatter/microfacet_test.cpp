@@ -6,6 +6,8 @@
 #include <numbers>
 #include <string>
 
+#include "directions.h"
+
 #include "sigmascape/base/hash.h"
 #include "sigmascape/base/units.h"
 
@@ -13,12 +15,6 @@ namespace sigmascape::scatter {
 namespace {
 
 constexpr double alphas[] = {0.002, 0.01, 0.05, 0.1, 0.3, 0.6, 1.0};
-
-Vec3f direction(double incidence_deg, double azimuth_deg = 0.0) {
-  const double theta = radians_from_deg(incidence_deg);
-  const double phi = radians_from_deg(azimuth_deg);
-  return Vec3d{std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)}.to<float>();
-}
 
 /// ∫ f(m) dω over all facet normals: midpoints in azimuth and in t, where tan θ = α t / (1 − t).
 template <typename Function>

@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "directions.h"
+
 #include "sigmascape/base/hash.h"
 #include "sigmascape/base/sobol.h"
 #include "sigmascape/base/units.h"
@@ -15,14 +17,6 @@
 
 namespace sigmascape::scatter {
 namespace {
-
-constexpr Vec3f up{0.0F, 0.0F, 1.0F};
-
-Vec3f direction(double incidence_deg, double azimuth_deg = 0.0) {
-  const double theta = radians_from_deg(incidence_deg);
-  const double phi = radians_from_deg(azimuth_deg);
-  return Vec3d{std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)}.to<float>();
-}
 
 struct NamedSurface {
   std::string name;

@@ -6,7 +6,7 @@
 namespace sigmascape::simulate {
 namespace {
 
-constexpr radar::Rectangle area{-100, -100, 100, 100}, scene{-2000, -2000, 2000, 2000};
+constexpr radar::Rectangle mapped_square{-100, -100, 100, 100}, scene{-2000, -2000, 2000, 2000};
 
 radar::Radar above(Vec2d foot, double height_m) {
   radar::Radar radar;
@@ -25,18 +25,19 @@ double reach_m(double edge_m, double height_m) {
 // Below the radar 16 m of range are a hundred of ground, on whichever side of the edge it stands.
 TEST(AnsweringGround, ReachesFarWhereTheRadarStandsCloseToAnEdge) {
   for (const double inside_m : {10.0, 1.0, 0.0}) {
-    const radar::Rectangle answering = answering_ground(above({-100.0 + inside_m, 0.0}, 400.0), area, scene);
+    const radar::Rectangle answering = answering_ground(above({-100.0 + inside_m, 0.0}, 400.0), mapped_square, scene);
     EXPECT_NEAR(answering.west_m, -100.0 + inside_m - reach_m(inside_m, 400.0), 0.1) << inside_m;
   }
   // From beside it four resolutions reach to the foot.
-  EXPECT_LE(answering_ground(above({-150.0, 0.0}, 400.0), area, scene).west_m, -150.0);
+  EXPECT_LE(answering_ground(above({-150.0, 0.0}, 400.0), mapped_square, scene).west_m, -150.0);
 }
 
 TEST(AnsweringGround, IsLittleMoreThanTheAreaFromAfar) {
-  const radar::Rectangle answering = answering_ground(above({0.0, -20e3}, 2e3), area, scene);
+  const radar::Rectangle answering = answering_ground(above({0.0, -20e3}, 2e3), mapped_square, scene);
   EXPECT_LT(answering.north_m, 120.0);
   EXPECT_GT(answering.north_m, 115.0);
-  EXPECT_EQ(answering_ground(above({0.0, -20e3}, 2e3), area, area), area) << "beyond the scene there is nothing";
+  EXPECT_EQ(answering_ground(above({0.0, -20e3}, 2e3), mapped_square, mapped_square), mapped_square)
+      << "beyond the scene there is nothing";
 }
 
 }  // namespace

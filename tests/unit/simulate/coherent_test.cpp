@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "scratch_folder.h"
+#include "unit/simulate/level_ground.h"
 
 #include "sigmascape/base/units.h"
 #include "sigmascape/radar/coherent_plan.h"
@@ -18,8 +19,6 @@ namespace sigmascape::simulate {
 namespace {
 
 using ::testing::HasSubstr;
-
-constexpr radar::Rectangle area{-50.0, -50.0, 50.0, 50.0};
 
 /// Looks north from 8 km to the south on ground that returns nothing, with a beam of 2°, and flies east.
 radar::Radar looking_north(radar::Mode mode) {
@@ -32,17 +31,14 @@ radar::Radar looking_north(radar::Mode mode) {
   return radar;
 }
 
-const terrain::HeightField level{
-    .west_m = -1000.0, .north_m = 1000.0, .spacing_m = 50.0, .height_m = Array2D<float>(41, 41, 0.0F)};
-
 radar::PhaseHistory pulses_of(const radar::Radar& radar, const CoherentSettings& settings,
                               Vec3d place = {0.0, 0.0, 1.0}) {
   radar::Target bright;
   bright.track = radar::Track::straight(place);
   bright.rcs_m2 = radar::Channels{1e8F, 1e8F, 0.0F, 1e8F};
   const std::vector<radar::Target> targets{bright};
-  return phase_history({&level, [](Vec2d, const radar::Aspect&) { return radar::Channels{}; }, targets}, radar, area,
-                       settings);
+  return phase_history({&level_ground, [](Vec2d, const radar::Aspect&) { return radar::Channels{}; }, targets}, radar,
+                       small_area, settings);
 }
 
 double brightest_db(const radar::Radar& radar) {
@@ -59,7 +55,7 @@ TEST(Looks, HaveCellsOfThePulsesThatTheyHave) {
   for (const bool is_noise : {false, true}) {
     radar.processing.thermal_noise = is_noise;
     const float sigma0 = is_noise ? 0.0F : 1.0F;
-    const CoherentScene scene{&level, [sigma0](Vec2d, const radar::Aspect&) {
+    const CoherentScene scene{&level_ground, [sigma0](Vec2d, const radar::Aspect&) {
                                 return radar::Channels{sigma0, sigma0, 0.0F, sigma0};
                               }};
     const auto power_a_cell = [&](std::size_t looks) {
@@ -105,7 +101,7 @@ TEST(Pulses, HaveMoversOfTheRangeRateThatTheCurvedEarthGivesThem) {
   mover.track = radar::Track::straight({0.0, 0.0, 1.0}, {30.0, 250.0, 0.0});
   mover.rcs_m2 = radar::Channels{1e8F, 1e8F, 0.0F, 1e8F};
   const std::vector<radar::Target> targets{mover};
-  const CoherentScene scene{&level, [](Vec2d, const radar::Aspect&) { return radar::Channels{}; }, targets};
+  const CoherentScene scene{&level_ground, [](Vec2d, const radar::Aspect&) { return radar::Channels{}; }, targets};
   const radar::CurvedEarth earth = radar::earth_of(radar);
   const auto range_m = [&](double time_s) {
     return length(earth.bent(mover.track.position_at(time_s), {radar.position.x, radar.position.y}) -
@@ -114,14 +110,14 @@ TEST(Pulses, HaveMoversOfTheRangeRateThatTheCurvedEarthGivesThem) {
   const auto brightest = [](const auto& row) {
     return std::ranges::max(row, {}, [](const radar::ComplexChannels& sample) { return std::norm(sample.vv); }).vv;
   };
-  const auto history = phase_history(scene, radar, area, {.interval_s = 0.02});
+  const auto history = phase_history(scene, radar, small_area, {.interval_s = 0.02});
   const std::size_t last = history.samples.rows() - 1;
   const double first_s = history.pulses.front().time_s, last_s = history.pulses.back().time_s;
   const double turns = 2.0 * (range_m(last_s) - range_m(first_s)) / wavelength_m(radar.frequency_hz);
   const double measured = std::arg(brightest(history.samples.row(0)) * std::conj(brightest(history.samples.row(last))));
   EXPECT_NEAR(std::remainder(measured / (2.0 * pi) - turns, 1.0), 0.0, 0.05);
 
-  const auto image = range_doppler_image(scene, radar, area, {.interval_s = 0.5});
+  const auto image = range_doppler_image(scene, radar, small_area, {.interval_s = 0.5});
   const double rate_mps = (range_m(0.01) - range_m(-0.01)) / 0.02;
   const double doppler_hz = -2.0 * rate_mps / wavelength_m(radar.frequency_hz);
   const double seen_hz =
@@ -131,7 +127,7 @@ TEST(Pulses, HaveMoversOfTheRangeRateThatTheCurvedEarthGivesThem) {
 
 /// A helicopter among hills: what is as high as it, on the near edge, is nearer than the valley and the ridge.
 TEST(Pulses, AreRecordedFromGroundAsHighAsTheRadar) {
-  terrain::HeightField hills = level;
+  terrain::HeightField hills = level_ground;
   for (float& height : hills.height_m.values()) height = 500.0F;
   hills.height_m(0, 0) = 200.0F;
   hills.height_m(40, 0) = 900.0F;
@@ -139,7 +135,7 @@ TEST(Pulses, AreRecordedFromGroundAsHighAsTheRadar) {
   radar.position = {0.0, -950.0, 501.0};
   radar.range_resolution_m = 1.0;
   const auto history = phase_history({&hills, [](Vec2d, const radar::Aspect&) { return radar::Channels{}; }}, radar,
-                                     area, {.interval_s = 0.002});
+                                     small_area, {.interval_s = 0.002});
   EXPECT_LE(history.first_range_m, 900.0);
   EXPECT_GT(history.first_range_m, 880.0);
 }
@@ -152,9 +148,9 @@ TEST(Strip, OfASquintedAntennaKeepsToTheGateOfItsReceiver) {
   bright.track = radar::Track::straight({0.0, 0.0, 0.0});
   bright.rcs_m2 = radar::Channels{1e8F, 1e8F, 0.0F, 1e8F};
   const std::vector<radar::Target> targets{bright};
-  const CoherentScene scene{&level, [](Vec2d, const radar::Aspect&) { return radar::Channels{}; }, targets};
+  const CoherentScene scene{&level_ground, [](Vec2d, const radar::Aspect&) { return radar::Channels{}; }, targets};
   const auto brightest_m2 = [&] {
-    const auto image = stripmap_image(scene, radar, area, {.along_resolution_m = 2.0});
+    const auto image = stripmap_image(scene, radar, small_area, {.along_resolution_m = 2.0});
     float best = 0.0F;
     for (const auto& sample : image.amplitude_m.values()) best = std::max(best, std::norm(sample.vv));
     return static_cast<double>(best);
@@ -186,7 +182,8 @@ TEST(Pulses, HaveScatterersForWhatTheyCanBeProcessedTo) {
   radar.range_resolution_m = 60.0;
   radar.waveform.pulse_repetition_hz = 4.0;
   Asked asked;
-  static_cast<void>(phase_history({&level, asked.field()}, radar, area, {.interval_s = 2.0, .threads = 1}));
+  static_cast<void>(
+      phase_history({&level_ground, asked.field()}, radar, small_area, {.interval_s = 2.0, .threads = 1}));
   const double across_m = resolution_of_interval_m(radar, {}, 2.0);
   EXPECT_LT(across_m, 1.0);
   const double side_m = scatterer_spacing_m(radar, across_m);
@@ -198,7 +195,7 @@ TEST(Pulses, AreRefusedBeforeTheGroundIsLookedAt) {
   radar::Radar radar = looking_north(radar::Mode::RealBeam);
   radar.waveform.pulse_repetition_hz = 1e6;
   Asked asked;
-  const CoherentScene scene{&level, asked.field()};
+  const CoherentScene scene{&level_ground, asked.field()};
   const auto record = [&] {
     static_cast<void>(phase_history(scene, radar, {-100.0, -100.0, 100.0, 100.0}, {.interval_s = 1e-4, .threads = 1}));
   };
@@ -245,9 +242,10 @@ TEST(Pulses, AndImagesAreRefusedFromWithinTheGround) {
   const auto told = [&](Vec3d position) {
     radar.position = position;
     return std::array{
-        message_of_error([&] { static_cast<void>(phase_history(scene, radar, area, {.interval_s = 0.002})); }),
-        message_of_error([&] { static_cast<void>(range_doppler_image(scene, radar, area, {.interval_s = 0.1})); }),
-        message_of_error([&] { static_cast<void>(stripmap_image(scene, radar, area, {})); })};
+        message_of_error([&] { static_cast<void>(phase_history(scene, radar, small_area, {.interval_s = 0.002})); }),
+        message_of_error(
+            [&] { static_cast<void>(range_doppler_image(scene, radar, small_area, {.interval_s = 0.1})); }),
+        message_of_error([&] { static_cast<void>(stripmap_image(scene, radar, small_area, {})); })};
   };
   EXPECT_THAT(told({0.0, -800.0, 300.0}), ::testing::Each(HasSubstr("and the ground under it at 500.0 m")));
   EXPECT_THAT(told({0.0, -8000.0, 300.0}), ::testing::Each(HasSubstr("and the lowest ground of the scene at 500.0 m")));
@@ -262,9 +260,10 @@ TEST(Pulses, HaveLeavesThatMoveOnFromRecordingToRecording) {
   radar.wind_mps = 10.0;
   radar.waveform.pulse_repetition_hz = 10.0;
   const render::Reflectivity even = [](Vec2d, const radar::Aspect&) { return radar::Channels{1.0F, 1.0F, 0.0F, 1.0F}; };
-  const CoherentScene scene{&level, even, {}, [](Vec2d) { return true; }};
+  const CoherentScene scene{&level_ground, even, {}, [](Vec2d) { return true; }};
   const auto recorded = [&](double moment_s) {
-    return phase_history(scene, radar, area, {.interval_s = 2.0, .scatterer_spacing_m = 5.0, .moment_s = moment_s});
+    return phase_history(scene, radar, small_area,
+                         {.interval_s = 2.0, .scatterer_spacing_m = 5.0, .moment_s = moment_s});
   };
   const auto first = recorded(0.0), later = recorded(0.5);
   const auto differs_by = [&](std::size_t pulse, std::size_t of_later) {
@@ -286,9 +285,10 @@ TEST(Pulses, AreOfTheScatterersOfTheirMap) {
   radar.processing.along_resolution_m = 2.0;
   const radar::CoherentPlan plan = radar::coherent_plan(radar, {});
   Asked of_pulses, of_map;
-  static_cast<void>(phase_history({&level, of_pulses.field()}, radar, area, {.interval_s = 0.002, .threads = 1}));
   static_cast<void>(
-      range_doppler_image({&level, of_map.field()}, radar, area,
+      phase_history({&level_ground, of_pulses.field()}, radar, small_area, {.interval_s = 0.002, .threads = 1}));
+  static_cast<void>(
+      range_doppler_image({&level_ground, of_map.field()}, radar, small_area,
                           {.interval_s = plan.interval_s,
                            .scatterer_spacing_m = scatterer_spacing_m(radar, plan.along_resolution_m / plan.looks),
                            .threads = 1}));
@@ -299,8 +299,10 @@ TEST(Images, HaveScatterersForWhatTheyTellApart) {
   radar::Radar radar = looking_north(radar::Mode::Spotlight);
   radar.range_resolution_m = 60.0;
   Asked sharpened, strip;
-  static_cast<void>(range_doppler_image({&level, sharpened.field()}, radar, area, {.interval_s = 1.0, .threads = 1}));
-  static_cast<void>(stripmap_image({&level, strip.field()}, radar, area, {.along_resolution_m = 4.0, .threads = 1}));
+  static_cast<void>(
+      range_doppler_image({&level_ground, sharpened.field()}, radar, small_area, {.interval_s = 1.0, .threads = 1}));
+  static_cast<void>(
+      stripmap_image({&level_ground, strip.field()}, radar, small_area, {.along_resolution_m = 4.0, .threads = 1}));
   EXPECT_GT(sharpened.places.size(), 15'000U);
   // Ghosts of the strip ask for ground beyond the area.
   EXPECT_GE(strip.places.size(), 2500U);
@@ -313,9 +315,9 @@ TEST(Strip, SeesAllGroundUnderTheAzimuthOfItsBeam) {
   constexpr radar::Rectangle long_area{-500.0, -100.0, 500.0, 100.0};
   const CoherentSettings settings{.interval_s = 0.002, .scatterer_spacing_m = 20.0, .threads = 1};
   Asked of_strip, of_pulses, of_spotlight;
-  static_cast<void>(stripmap_image({&level, of_strip.field()}, radar, long_area, settings));
-  static_cast<void>(phase_history({&level, of_pulses.field()}, radar, long_area, settings));
-  static_cast<void>(range_doppler_image({&level, of_spotlight.field()}, radar, long_area, settings));
+  static_cast<void>(stripmap_image({&level_ground, of_strip.field()}, radar, long_area, settings));
+  static_cast<void>(phase_history({&level_ground, of_pulses.field()}, radar, long_area, settings));
+  static_cast<void>(range_doppler_image({&level_ground, of_spotlight.field()}, radar, long_area, settings));
   EXPECT_NEAR(of_strip.least_rad(), pi, 1e-9);
   EXPECT_NEAR(of_pulses.least_rad(), pi, 1e-9);
   EXPECT_LT(of_spotlight.least_rad(), pi - 0.6);
@@ -329,8 +331,8 @@ TEST(Strip, LooksWhereItsAntennaIsFixed) {
   const CoherentSettings settings{
       .interval_s = 0.002, .along_resolution_m = 2.0, .scatterer_spacing_m = 20.0, .threads = 1};
   Asked of_strip, of_pulses;
-  const auto strip = stripmap_image({&level, of_strip.field()}, radar, area, settings);
-  static_cast<void>(phase_history({&level, of_pulses.field()}, radar, area, settings));
+  const auto strip = stripmap_image({&level_ground, of_strip.field()}, radar, small_area, settings);
+  static_cast<void>(phase_history({&level_ground, of_pulses.field()}, radar, small_area, settings));
   EXPECT_NEAR(of_strip.least_rad(), radians_from_deg(160.0), 1e-9);
   EXPECT_NEAR(of_pulses.least_rad(), radians_from_deg(160.0), 1e-9);
   const Vec3d way{600.0 * std::tan(radians_from_deg(20.0)), 600.0, -300.0};
@@ -433,7 +435,7 @@ TEST(Volts, HaveTheScanOfTheirMoment) {
 
 /// Where the axis of the beam points whose pattern is in them, if it keeps to a place or an azimuth.
 TEST(Images, KnowWhereTheBeamPointsWhosePatternTheyKeep) {
-  const CoherentScene scene{&level, [](Vec2d, const radar::Aspect&) { return radar::Channels{}; }};
+  const CoherentScene scene{&level_ground, [](Vec2d, const radar::Aspect&) { return radar::Channels{}; }};
   constexpr radar::Rectangle eastern{50.0, -50.0, 150.0, 50.0};
   const auto image_of = [&](const radar::Radar& radar) {
     return range_doppler_image(scene, radar, eastern, {.interval_s = 0.002});
@@ -458,7 +460,7 @@ TEST(Images, KnowWhereTheBeamPointsWhosePatternTheyKeep) {
 }
 
 TEST(Images, OfASectorThatIsNeverScannedAreRefused) {
-  const CoherentScene scene{&level, [](Vec2d, const radar::Aspect&) { return radar::Channels{}; }};
+  const CoherentScene scene{&level_ground, [](Vec2d, const radar::Aspect&) { return radar::Channels{}; }};
   constexpr radar::Rectangle eastern{50.0, -50.0, 150.0, 50.0};
   radar::Radar radar = looking_north(radar::Mode::DopplerBeamSharpening);
   const auto fault_of = [&](double azimuth_rad) {
@@ -478,7 +480,7 @@ TEST(Strip, IsAsBrightAtItsEndsAsInItsMiddle) {
   bright.track = radar::Track::straight({500.0, 0.0, 0.0});
   bright.rcs_m2 = radar::Channels{1e8F, 1e8F, 0.0F, 1e8F};
   const std::vector<radar::Target> targets{bright};
-  const CoherentScene scene{&level, [](Vec2d, const radar::Aspect&) { return radar::Channels{}; }, targets};
+  const CoherentScene scene{&level_ground, [](Vec2d, const radar::Aspect&) { return radar::Channels{}; }, targets};
   const auto brightest_m2 = [&](radar::Mode mode) {
     radar::Radar radar = looking_north(mode);
     radar.processing.antenna_pattern = true;

@@ -13,7 +13,7 @@ namespace {
 
 /// 10 km away or so, 400 m a side, seen from a flight to the north; the rim is 150 m wide.
 constexpr radar::Rectangle mapped{9800.0, -200.0, 10200.0, 200.0};
-constexpr radar::Rectangle area = radar::widened(mapped, 150.0);
+constexpr radar::Rectangle mapped_with_rim = radar::widened(mapped, 150.0);
 
 radar::Radar flying_north(double repetition_hz) {
   radar::Radar radar;
@@ -44,11 +44,11 @@ std::vector<Vec3d> arc_through(const radar::Rectangle& all, double ground_range_
 TEST(DopplerRim, FillsEveryDopplerOfARangeOnce) {
   for (const double repetition_hz : {400.0, 500.0, 650.0}) {
     const radar::Radar radar = flying_north(repetition_hz);
-    const DopplerRim rim(radar, mapped, area);
+    const DopplerRim rim(radar, mapped, mapped_with_rim);
     for (const double ground_range_m : {9700.0, 9900.0, 10000.0, 10150.0, 10300.0}) {
       constexpr std::size_t bins = 40;
       std::vector<double> filled(bins);
-      for (const Vec3d place : arc_through(area, ground_range_m)) {
+      for (const Vec3d place : arc_through(mapped_with_rim, ground_range_m)) {
         if (!rim.takes_part(place)) continue;
         const double folded = radar::folded_hz(frequency_hz(radar, place), 0.0, repetition_hz);
         filled[std::min(bins - 1, static_cast<std::size_t>(folded / repetition_hz * bins))] += step_m;
@@ -63,7 +63,7 @@ TEST(DopplerRim, FillsEveryDopplerOfARangeOnce) {
 
 TEST(DopplerRim, IsWholeWhereNothingFoldsAndTheMapIsAlways) {
   for (const double repetition_hz : {50.0, 300.0, 700.0}) {
-    const DopplerRim rim(flying_north(repetition_hz), mapped, area);
+    const DopplerRim rim(flying_north(repetition_hz), mapped, mapped_with_rim);
     for (const Vec3d place : arc_through(mapped, 10000.0)) EXPECT_TRUE(rim.takes_part(place));
     const bool folds = repetition_hz < 680.0;
     for (const double beside : {-340.0, 340.0}) EXPECT_EQ(rim.takes_part({10000.0, beside, 0.0}), !folds);

@@ -15,18 +15,16 @@
 namespace sigmascape::simulate {
 namespace {
 
+using physics_test::lambert;
+
 constexpr double cell_m = 1.0;
 constexpr float height_m = 20.0F, depth_m = 12.0F, width_m = 40.0F;
-const radar::GroundGrid grid{-4.0, 160.0, cell_m, 8, 220};
-
-scatter::Material lambert(std::string name, double albedo = 0.5) {
-  return {.name = std::move(name), .model = scatter::LambertParameters{albedo, {0.0, 1.0}}, .source = {}};
-}
+const radar::GroundGrid narrow_grid{-4.0, 160.0, cell_m, 8, 220};
 
 /// A box whose near side stands at y = 0, on level ground.
 scene::Scene box_scene() {
-  scene::Scene scene = physics_test::level_scene(lambert("ground"), 512.0);
-  scene.prototypes.push_back(scene::box_mesh({width_m, depth_m, height_m}, scene.material_index(lambert("box"))));
+  scene::Scene scene = physics_test::level_scene(lambert("ground", 0.5), 512.0);
+  scene.prototypes.push_back(scene::box_mesh({width_m, depth_m, height_m}, scene.material_index(lambert("box", 0.5))));
   scene.instances.push_back({.y_m = depth_m / 2.0F});
   return scene;
 }
@@ -35,7 +33,7 @@ constexpr double foot_m = 16.0;
 
 /// A ridge from west to east with its crest at y = 0 and its feet at ±foot_m, on level ground.
 scene::Scene ridge_scene(double slope_rad) {
-  scene::Scene scene = physics_test::level_scene(lambert("ground"), 512.0);
+  scene::Scene scene = physics_test::level_scene(lambert("ground", 0.5), 512.0);
   const auto nodes = static_cast<std::size_t>(512.0 / foot_m) + 1;
   scene.terrain = {-256.0, 256.0, foot_m, Array2D<float>(nodes, nodes)};
   for (std::size_t column = 0; column < nodes; ++column)
@@ -55,7 +53,7 @@ struct Stretch {
 
 /// Where, along the middle of the map, a mask is set: from the southern edge of its first cell to the northern of its
 /// last, all between being set.
-Stretch stretch_of(const Array2D<float>& mask, const radar::GroundGrid& map = grid) {
+Stretch stretch_of(const Array2D<float>& mask, const radar::GroundGrid& map = narrow_grid) {
   const std::size_t column = mask.columns() / 2;
   std::size_t first = mask.rows(), last = 0, count = 0;
   for (std::size_t row = 0; row < mask.rows(); ++row) {
@@ -75,7 +73,7 @@ std::size_t set_cells(const Array2D<float>& mask) {
 enum class Way { Traced, Swept };
 
 radar::LayerStack layers_of(Way way, const scene::Scene& scene, const radar::Radar& radar,
-                            const std::vector<LayerKind>& kinds, const radar::GroundGrid& map = grid,
+                            const std::vector<LayerKind>& kinds, const radar::GroundGrid& map = narrow_grid,
                             unsigned threads = 1, const std::vector<radar::Target>& targets = {}) {
   if (way == Way::Traced) {
     return traced_layers(scene, trace::SceneGeometry(scene, trace::Footing::Terrain), radar, map, kinds, threads,
@@ -111,7 +109,7 @@ TEST_P(Layers, ABoxLiesOverByHeightTimesTangent) {
 }
 
 /// As a box of that length towards north, as wide as the map, whose near side stands at `south_m`.
-radar::Target target_at(double south_m, double length_m, double tall_m) {
+radar::Target box_target(double south_m, double length_m, double tall_m) {
   return {.name = "target",
           .track = radar::Track::straight({0.0, south_m + length_m / 2.0, tall_m / 2.0}),
           .rcs_m2 = radar::Channels{},
@@ -120,10 +118,10 @@ radar::Target target_at(double south_m, double length_m, double tall_m) {
 
 // As over a box of the scene, but that its faces do not answer: it lies over nothing.
 TEST_P(Layers, ATargetHidesItsFootprintAndHeightOverTangent) {
-  const scene::Scene level = physics_test::level_scene(lambert("ground"), 512.0);
-  const auto target = target_at(0.0, depth_m, height_m);
+  const scene::Scene level = physics_test::level_scene(lambert("ground", 0.5), 512.0);
+  const auto target = box_target(0.0, depth_m, height_m);
   const auto stack = layers_of(GetParam(), level, radar_in_the_south(29.0), {LayerKind::Shadow, LayerKind::Layover},
-                               grid, 1, {target});
+                               narrow_grid, 1, {target});
   const Stretch shadow = stretch_of(stack.layers[0].values);
   EXPECT_NEAR(shadow.south_m, 0.0, cell_m);
   EXPECT_NEAR(shadow.north_m, depth_m + height_m / std::tan(radians_from_deg(29.0)), cell_m);
@@ -132,9 +130,9 @@ TEST_P(Layers, ATargetHidesItsFootprintAndHeightOverTangent) {
 
 // Ninety metres high and thirty before it, the target hides all of the box.
 TEST_P(Layers, WhatATargetHidesLiesOverNothing) {
-  const auto in_front = target_at(-30.0, 10.0, 90.0);
+  const auto in_front = box_target(-30.0, 10.0, 90.0);
   const auto layover_of = [&](const std::vector<radar::Target>& targets) {
-    return layers_of(GetParam(), box_scene(), radar_in_the_south(45.0), {LayerKind::Layover}, grid, 1, targets);
+    return layers_of(GetParam(), box_scene(), radar_in_the_south(45.0), {LayerKind::Layover}, narrow_grid, 1, targets);
   };
   EXPECT_GT(set_cells(layover_of({}).layers[0].values), 0U);
   EXPECT_EQ(set_cells(layover_of({in_front}).layers[0].values), 0U);
@@ -174,7 +172,7 @@ TEST_P(Layers, GroundFlatterThanTheArcIsNotLainOver) {
 // Rays meet a square of the terrain as two triangles, here up to four metres above or below its saddle, none steeper
 // than 15°.
 TEST_P(Layers, TwistedGroundNeitherLiesOverItselfNorHidesItself) {
-  scene::Scene scene = physics_test::level_scene(lambert("ground"), 512.0);
+  scene::Scene scene = physics_test::level_scene(lambert("ground", 0.5), 512.0);
   scene.terrain = {-256.0, 256.0, 64.0, Array2D<float>(9, 9)};
   for (std::size_t row = 0; row < 9; ++row) {
     for (std::size_t column = 0; column < 9; ++column)
@@ -188,7 +186,7 @@ TEST_P(Layers, TwistedGroundNeitherLiesOverItselfNorHidesItself) {
 
 TEST_P(Layers, GroundThatLeansTowardsTheRadarIsMetMoreSteeply) {
   const double slope_rad = radians_from_deg(10.0), elevation_deg = 20.0;
-  scene::Scene scene = physics_test::level_scene(lambert("ground"), 512.0);
+  scene::Scene scene = physics_test::level_scene(lambert("ground", 0.5), 512.0);
   for (std::size_t row = 0; row < 2; ++row) {
     for (std::size_t column = 0; column < 2; ++column)
       scene.terrain.height_m(column, row) = static_cast<float>((row == 0 ? 256.0 : -256.0) * std::tan(slope_rad));
@@ -266,9 +264,9 @@ TEST_P(Layers, OfAStripOnBothSidesOfTheTrackAreOfTwoBeams) {
 
 // A target is hidden behind as it is looked at: it drives north, and is passed where it then is.
 TEST_P(Layers, OfAStripHaveTheShadowsOfTargetsAsItsBeamPasses) {
-  const scene::Scene level = physics_test::level_scene(lambert("ground"), 512.0);
+  const scene::Scene level = physics_test::level_scene(lambert("ground", 0.5), 512.0);
   const radar::GroundGrid map{-220.0, 80.0, cell_m, 240, 120};
-  radar::Target target = target_at(0.0, depth_m, height_m);
+  radar::Target target = box_target(0.0, depth_m, height_m);
   // Two seconds on it stands as the box does.
   target.track = radar::Track::straight({0.0, depth_m / 2.0 - 20.0, height_m / 2.0}, {0.0, 10.0, 0.0});
   const auto stack = layers_of(GetParam(), level, radar_of_a_strip(-200.0), {LayerKind::Shadow}, map, 1, {target});
@@ -279,8 +277,8 @@ TEST_P(Layers, OfAStripHaveTheShadowsOfTargetsAsItsBeamPasses) {
 
 TEST_P(Layers, AreTheSameForAnyThreads) {
   const std::vector<LayerKind> kinds{LayerKind::Shadow, LayerKind::Layover, LayerKind::Height};
-  const auto one = layers_of(GetParam(), box_scene(), radar_in_the_south(20.0), kinds, grid, 1);
-  const auto three = layers_of(GetParam(), box_scene(), radar_in_the_south(20.0), kinds, grid, 3);
+  const auto one = layers_of(GetParam(), box_scene(), radar_in_the_south(20.0), kinds, narrow_grid, 1);
+  const auto three = layers_of(GetParam(), box_scene(), radar_in_the_south(20.0), kinds, narrow_grid, 3);
   for (std::size_t k = 0; k < kinds.size(); ++k) {
     EXPECT_TRUE(std::ranges::equal(one.layers[k].values.values(), three.layers[k].values.values()));
   }
@@ -292,8 +290,8 @@ INSTANTIATE_TEST_SUITE_P(BothWays, Layers, ::testing::Values(Way::Traced, Way::S
 // A leaf of 45 cm, 10 m up, seen from 45°: it lies over 45 cm of ground 10 m before it, beside the middle of one cell
 // of a metre, and over nothing else.
 TEST(TracedLayers, ALeafSmallerThanACellLiesOverIt) {
-  scene::Scene scene = physics_test::level_scene(lambert("ground"), 512.0);
-  scene.prototypes.push_back(scene::wall_mesh(0.45F, 0.45F, scene.material_index(lambert("leaf"))));
+  scene::Scene scene = physics_test::level_scene(lambert("ground", 0.5), 512.0);
+  scene.prototypes.push_back(scene::wall_mesh(0.45F, 0.45F, scene.material_index(lambert("leaf", 0.5))));
   scene.instances.push_back({.x_m = 0.25F, .y_m = 0.48F, .lift_m = 10.0F});
   const auto stack = layers_of(Way::Traced, scene, radar_in_the_south(45.0), {LayerKind::Layover});
   EXPECT_EQ(set_cells(stack.layers[0].values), 1U);
@@ -304,14 +302,14 @@ TEST(TracedLayers, ALeafSmallerThanACellLiesOverIt) {
 // Leaves between 10 and 12 m above four metres of ground, seen from 45°: each lies over the ground as far before it as
 // it is high, and the bare stem over nothing.
 TEST(SweptLayers, ACrownLiesOverFromItsBaseUp) {
-  const scene::Scene scene = physics_test::level_scene(lambert("ground"), 512.0);
+  const scene::Scene scene = physics_test::level_scene(lambert("ground", 0.5), 512.0);
   radar::ObstacleMap obstacles{{-256.0, 256.0, 0.5, 1024, 1024}, Array2D<radar::Obstacle>(1024, 1024)};
   for (std::size_t row = 504; row < 512; ++row) {
     for (std::size_t column = 0; column < 1024; ++column)
       obstacles.obstacles(column, row) = {.crown_base_m = 10.0F, .crown_top_m = 12.0F, .crown_extinction_per_m = 0.1F};
   }
   const auto stack = swept_layers({&scene.terrain, &obstacles, &scene.ground, scene.materials.size()},
-                                  radar_in_the_south(45.0), grid, std::vector{LayerKind::Layover}, 1);
+                                  radar_in_the_south(45.0), narrow_grid, std::vector{LayerKind::Layover}, 1);
   const Stretch layover = stretch_of(stack.layers[0].values);
   EXPECT_NEAR(layover.south_m, -12.0, cell_m);
   EXPECT_NEAR(layover.north_m, 4.0 - 10.0, cell_m);
@@ -347,7 +345,7 @@ TEST(TracedBounces, AddUpToTheMap) {
 
 /// Houses of 6 m on a sixth of all blocks of 8 m, seen under 10°: h tan ψ is a metre, less than steps of coarse cells.
 TEST(SweptLayers, MasksTellOfTheGroundWhateverTheCells) {
-  const scene::Scene level = physics_test::level_scene(lambert("ground"), 512.0);
+  const scene::Scene level = physics_test::level_scene(lambert("ground", 0.5), 512.0);
   radar::ObstacleMap town{{-256.0, 256.0, 2.0, 256, 256}, Array2D<radar::Obstacle>(256, 256)};
   for (std::size_t row = 0; row < 256; ++row) {
     for (std::size_t column = 0; column < 256; ++column) {

@@ -10,6 +10,8 @@
 
 #include "peak_memory.h"
 #include "physics/level_scene.h"
+#include "unit/render/frame_numbers.h"
+#include "unit/simulate/street_scene.h"
 
 #include "sigmascape/base/error.h"
 #include "sigmascape/radar/curved_earth.h"
@@ -18,26 +20,11 @@
 namespace sigmascape::simulate {
 namespace {
 
+using physics_test::lambert;
 using render::FrameContent;
 
 constexpr double slant_range_m = 20e3;
 const double elevation_rad = radians_from_deg(30.0);
-
-scatter::Material lambert(std::string name, double albedo = 0.5) {
-  return {.name = std::move(name), .model = scatter::LambertParameters{albedo, {0.0, 1.0}}, .source = {}};
-}
-
-/// Houses in rows, close enough for several bounces.
-scene::Scene street_scene() {
-  scene::Scene scene = physics_test::level_scene(lambert("ground"), 256.0);
-  scene.prototypes.push_back(scene::box_mesh({8.0F, 6.0F, 7.0F}, scene.material_index(lambert("box", 0.8))));
-  for (int row = -3; row <= 3; ++row) {
-    for (int column = -3; column <= 3; ++column) {
-      scene.instances.push_back({.x_m = 12.0F * static_cast<float>(column), .y_m = 10.0F * static_cast<float>(row)});
-    }
-  }
-  return scene;
-}
 
 /// Bins of so many metres of ground about the origin, seen from the south.
 struct Bins {
@@ -79,7 +66,7 @@ class LiveTracerTest : public testing::Test {
   Bins bins_;
 };
 
-double total(std::span<const float> powers_m2) {
+double copolar_total(std::span<const float> powers_m2) {
   double sum = 0.0;
   for (std::size_t i = 0; i < powers_m2.size(); i += 4) sum += static_cast<double>(powers_m2[i] + powers_m2[i + 1]);
   return sum;
@@ -151,7 +138,7 @@ TEST_F(LiveTracerTest, AmplitudesHaveThePowersForTheirMean) {
     of_mean += mean[bin];
     of_expected += power;
     // Of bins nearly all in shadow little is left but what their neighbours share with them.
-    if (power < 0.05 * total(expected.powers_m2) / static_cast<double>(mean.size())) continue;
+    if (power < 0.05 * copolar_total(expected.powers_m2) / static_cast<double>(mean.size())) continue;
     const double ratio = mean[bin] / power;
     ratios += ratio - 1.0;
     squares += (ratio - 1.0) * (ratio - 1.0);
@@ -165,8 +152,8 @@ TEST_F(LiveTracerTest, AmplitudesHaveThePowersForTheirMean) {
 }
 
 TEST_F(LiveTracerTest, AmplitudesOfWhatLaysOverTheEdgeOfTheSceneStandAtItsRange) {
-  scene::Scene scene = physics_test::level_scene(lambert("ground"), 64.0);
-  physics_test::add_wall(scene, lambert("wall"), 60.0F, 15.0F, pi);
+  scene::Scene scene = physics_test::level_scene(lambert("ground", 0.5), 64.0);
+  physics_test::add_wall(scene, lambert("wall", 0.5), 60.0F, 15.0F, pi);
   scene.instances[0].y_m = -31.0F;
   const trace::SceneGeometry geometry(scene, trace::Footing::Terrain);
   const Bins bins{.count = 48, .bin_m = 2.0};
@@ -216,14 +203,6 @@ radar::Target target_at(Vec3d position, float rcs_m2, Vec3d size_m = {}) {
   target.rcs_m2 = radar::Channels{rcs_m2, rcs_m2, 0.0F, rcs_m2};
   target.size_m = size_m;
   return target;
-}
-
-/// All that a frame has in its bins.
-std::vector<float> numbers_of(const render::Frame& frame) {
-  std::vector<float> numbers(frame.powers_m2.begin(), frame.powers_m2.end());
-  for (const std::complex<float>& amplitude : frame.amplitudes_m)
-    numbers.insert(numbers.end(), {amplitude.real(), amplitude.imag()});
-  return numbers;
 }
 
 /// A turn of the antenna by so many beams a step.
@@ -279,7 +258,7 @@ TEST_F(LiveTracerTest, AScanHasThePowerOfTheFrameWhateverTheBounces) {
   const render::Frame& frame = at_once.render(bins_.pose());
   const std::vector<float> steps = swept(scanning, bins_.pose(), bins_.count, 4);
   // Steps of 8 m lack what begins more than 16 m beside them.
-  EXPECT_NEAR(10.0 * std::log10(total(steps) / total(frame.powers_m2)), 0.0, 0.02);
+  EXPECT_NEAR(10.0 * std::log10(copolar_total(steps) / copolar_total(frame.powers_m2)), 0.0, 0.02);
   std::vector<double> differences;
   for (std::size_t bin = 0; bin < bins_.count * bins_.count; ++bin) {
     const double whole = sum_of_bin(frame.powers_m2, bin);
@@ -425,7 +404,7 @@ TEST_F(LiveTracerTest, OnePassTellsNothingOfItsError) {
 TEST_F(LiveTracerTest, TargetsAnswerWhereTheSceneLetsThemBeSeen) {
   LiveTracer live = tracer(FrameContent::Powers, 2);
   render::Pose pose = bins_.pose();
-  const double bare = total(live.render(pose).powers_m2);
+  const double bare = copolar_total(live.render(pose).powers_m2);
   LiveTracer other = tracer(FrameContent::Powers, 2);
   // North of a house, below its eaves: hidden from the south. And above its roof.
   for (const double height_m : {1.0, 8.0}) {
@@ -435,12 +414,12 @@ TEST_F(LiveTracerTest, TargetsAnswerWhereTheSceneLetsThemBeSeen) {
     const render::Frame& frame = with.render(pose);
     const bool is_seen = height_m > 7.0;
     EXPECT_EQ(frame.report.targets, is_seen ? 1U : 0U);
-    EXPECT_NEAR(total(frame.powers_m2) - bare, is_seen ? 2e4 : 0.0, 1.0);
+    EXPECT_NEAR(copolar_total(frame.powers_m2) - bare, is_seen ? 2e4 : 0.0, 1.0);
   }
 }
 
 TEST_F(LiveTracerTest, WhatStandsBehindTheBoxOfATargetIsDark) {
-  scene::Scene plane = physics_test::level_scene(lambert("ground"), 256.0);
+  scene::Scene plane = physics_test::level_scene(lambert("ground", 0.5), 256.0);
   const trace::SceneGeometry geometry(plane, trace::Footing::Terrain);
   for (const FrameContent content : {FrameContent::Powers, FrameContent::Amplitudes}) {
     LiveTracer live(plane, geometry, bins_.settings(content), {.rays_per_cell = 8});
@@ -518,7 +497,7 @@ TEST_F(LiveTracerTest, RangesAreThoseOfACurvedEarth) {
 }
 
 TEST_F(LiveTracerTest, AllRoundThereIsNoSeam) {
-  scene::Scene plane = physics_test::level_scene(lambert("ground"), 256.0);
+  scene::Scene plane = physics_test::level_scene(lambert("ground", 0.5), 256.0);
   const trace::SceneGeometry geometry(plane, trace::Footing::Terrain);
   render::LiveSettings settings;
   settings.beams = 30;
@@ -589,7 +568,7 @@ TEST_F(LiveTracerTest, WhatCannotBeTracedIsRefused) {
   EXPECT_EQ(frame.grid.first_range_m, bins_.pose().first_range_m);
   EXPECT_THAT(frame.powers_m2, testing::ElementsAreArray(before));
   EXPECT_NO_THROW(render::check_holds(frame, "test"));
-  EXPECT_GT(total(live.render(bins_.pose()).powers_m2), 0.0) << "a refused pose leaves a tracer that works";
+  EXPECT_GT(copolar_total(live.render(bins_.pose()).powers_m2), 0.0) << "a refused pose leaves a tracer that works";
 }
 
 TEST_F(LiveTracerTest, SaysWhatItCanTraceAsItDoes) {
@@ -620,7 +599,7 @@ TEST_F(LiveTracerTest, SaysWhatItCanTraceAsItDoes) {
 
 /// A hill of 30 m in the middle of level ground.
 scene::Scene hill_scene() {
-  scene::Scene scene = physics_test::level_scene(lambert("ground"), 128.0);
+  scene::Scene scene = physics_test::level_scene(lambert("ground", 0.5), 128.0);
   Array2D<float> heights(17, 17, 0.0F);
   heights(8, 8) = 30.0F;
   scene.terrain = {scene.extent.west_m, scene.extent.north_m, 8.0, std::move(heights)};
@@ -653,7 +632,7 @@ TEST_F(LiveTracerTest, AmplitudesTakeMemoryForCellsThatAnswer) {
 
 // Near the foot of the radar cells are wider than beams: those that reach into the outermost lie beside them.
 TEST_F(LiveTracerTest, WithSpeckleCellsBesideTheBeamsCount) {
-  const scene::Scene plane = physics_test::level_scene(lambert("ground"), 256.0);
+  const scene::Scene plane = physics_test::level_scene(lambert("ground", 0.5), 256.0);
   const trace::SceneGeometry geometry(plane, trace::Footing::Terrain);
   render::LiveSettings settings;
   settings.beams = 4;

@@ -15,13 +15,13 @@
 namespace sigmascape::simulate {
 namespace {
 
-constexpr double side_m = 1024.0;
+constexpr double atlas_side_m = 1024.0;
 
 /// Four patches about the origin of numbers that no two looks share.
 atlas::Store made_up_store(const ScratchFolder& folder) {
   atlas::AtlasDescription description;
   description.name = "made up";
-  description.extent = {-side_m / 2.0, -side_m / 2.0, side_m / 2.0, side_m / 2.0};
+  description.extent = {-atlas_side_m / 2.0, -atlas_side_m / 2.0, atlas_side_m / 2.0, atlas_side_m / 2.0};
   description.patches = {2.0, 256};
   description.aspects = atlas::paper_aspect_grid();
   description.scene_hash = "none";
@@ -44,7 +44,7 @@ terrain::HeightField hills() {
       heights(column, row) =
           30.0F * std::sin(0.3F * static_cast<float>(column)) * std::cos(0.2F * static_cast<float>(row));
   }
-  return {-side_m / 2.0, side_m / 2.0, side_m / 64.0, heights};
+  return {-atlas_side_m / 2.0, atlas_side_m / 2.0, atlas_side_m / 64.0, heights};
 }
 
 radar::RangeAzimuthImage map_of(const atlas::Atlas& atlas, const terrain::HeightField& terrain,

@@ -12,14 +12,14 @@
 namespace sigmascape::simulate {
 namespace {
 
-constexpr double side_m = 4096.0, slant_range_m = 20e3;
-const radar::GroundGrid grid{-64.0, 64.0, 2.0, 64, 64};
+constexpr double scene_side_m = 4096.0, radar_range_m = 20e3;
+const radar::GroundGrid asked_grid{-64.0, 64.0, 2.0, 64, 64};
 
 /// Level ground with nodes 4 m apart and a house of 12 triangles on it.
 scene::Scene house() {
   scene::Scene scene = physics_test::level_scene(
-      {.name = "ground", .model = scatter::LambertParameters{0.3, {0.0, 1.0}}, .source = {}}, side_m);
-  scene.terrain = {-side_m / 2.0, side_m / 2.0, 4.0, Array2D<float>(1025, 1025, 0.0F)};
+      {.name = "ground", .model = scatter::LambertParameters{0.3, {0.0, 1.0}}, .source = {}}, scene_side_m);
+  scene.terrain = {-scene_side_m / 2.0, scene_side_m / 2.0, 4.0, Array2D<float>(1025, 1025, 0.0F)};
   scene.prototypes.push_back(scene::box_mesh({10.0F, 10.0F, 6.0F}, 0));
   scene.instances.push_back({});
   return scene;
@@ -28,7 +28,7 @@ scene::Scene house() {
 /// Flies to the east, 20 km south of the middle.
 radar::Radar radar_of(radar::Mode mode) {
   radar::Radar radar;
-  radar.position = radar::position_seeing({}, pi, radians_from_deg(10.0), slant_range_m);
+  radar.position = radar::position_seeing({}, pi, radians_from_deg(10.0), radar_range_m);
   radar.velocity_mps = {100.0, 0.0, 0.0};
   radar.heading_rad = 0.5 * pi;
   radar.beam_width_rad = 0.02;
@@ -41,9 +41,9 @@ TEST(MapQuestion, AcrossTheLineOfSightAModeIsAsSharpAsItIsPlannedToBe) {
   const scene::Scene scene = house();
   using radar::Mode;
   const auto cross_range_m = [&](Mode mode) {
-    return map_question(scene, radar_of(mode), grid, nullptr).cross_range_m;
+    return map_question(scene, radar_of(mode), asked_grid, nullptr).cross_range_m;
   };
-  const double ground_range_m = slant_range_m * std::cos(radians_from_deg(10.0));
+  const double ground_range_m = radar_range_m * std::cos(radians_from_deg(10.0));
   EXPECT_NEAR(cross_range_m(Mode::RealBeam), 0.02 * ground_range_m, 1e-6);
   // What they take where the radar file leaves it open, as far as whole pulses give it.
   EXPECT_NEAR(cross_range_m(Mode::DopplerBeamSharpening), 0.02 * ground_range_m / radar::usual_sharpening, 0.05);
@@ -53,14 +53,14 @@ TEST(MapQuestion, AcrossTheLineOfSightAModeIsAsSharpAsItIsPlannedToBe) {
 
 TEST(MapQuestion, OnlyPowerIsTraced) {
   const scene::Scene scene = house();
-  EXPECT_EQ(render::choose_detail(map_question(scene, radar_of(radar::Mode::RealBeam), grid, nullptr)).level, 0);
-  EXPECT_GT(render::choose_detail(map_question(scene, radar_of(radar::Mode::Spotlight), grid, nullptr)).level, 0);
+  EXPECT_EQ(render::choose_detail(map_question(scene, radar_of(radar::Mode::RealBeam), asked_grid, nullptr)).level, 0);
+  EXPECT_GT(render::choose_detail(map_question(scene, radar_of(radar::Mode::Spotlight), asked_grid, nullptr)).level, 0);
 }
 
 TEST(MapQuestion, KnowsTheSceneAndItsTerrain) {
-  const render::DetailQuestion question = map_question(house(), radar_of(radar::Mode::RealBeam), grid, nullptr);
+  const render::DetailQuestion question = map_question(house(), radar_of(radar::Mode::RealBeam), asked_grid, nullptr);
   EXPECT_NEAR(question.tallest_object_m, 6.0, 1e-6);
-  EXPECT_NEAR(question.triangles_per_m2, (2.0 * 1024.0 * 1024.0 + 12.0) / (side_m * side_m), 1e-12);
+  EXPECT_NEAR(question.triangles_per_m2, (2.0 * 1024.0 * 1024.0 + 12.0) / (scene_side_m * scene_side_m), 1e-12);
   EXPECT_NEAR(question.area_m2, 128.0 * 128.0, 1e-6);
   EXPECT_EQ(question.terrain_spacing_m, 4.0);
   EXPECT_EQ(question.terrain_levels, 1) << "maps stand on the finest";
@@ -74,7 +74,7 @@ TEST(MapQuestion, KnowsWhatTheAtlasHas) {
     example.sigma0 = [](const radar::Look& look) { return render::constant_gamma(0.1, look); };
     if (apart) example.bare_sigma0 = example.sigma0;
     const atlas::Store store = example.store(folder.path("atlas"));
-    const render::DetailQuestion question = map_question(house(), radar_of(radar::Mode::RealBeam), grid, &store);
+    const render::DetailQuestion question = map_question(house(), radar_of(radar::Mode::RealBeam), asked_grid, &store);
     EXPECT_EQ(question.ground_apart, apart);
     EXPECT_EQ(question.texel_m, example.texel_m);
     EXPECT_EQ(question.mips, 9);

@@ -55,11 +55,11 @@ radar::Radar with_elevation_beam(double tilt_deg) {
   return radar;
 }
 
-const terrain::HeightField level{-500, 500, 1000, Array2D<float>(2, 2, 0.0F)};
+const terrain::HeightField terrain_of_extent{-500, 500, 1000, Array2D<float>(2, 2, 0.0F)};
 
 TEST(MapWarnings, TellOfABeamThatPointsOverTheMap) {
   const auto warnings = [&](const radar::Radar& radar) {
-    return map_warnings(radar, {.area = std::nullopt, .cell_m = 10.0}, level, extent);
+    return map_warnings(radar, {.area = std::nullopt, .cell_m = 10.0}, terrain_of_extent, extent);
   };
   EXPECT_THAT(warnings(with_elevation_beam(-8.5)), IsEmpty());
   EXPECT_THAT(warnings(with_elevation_beam(-6.0)), IsEmpty()) << "−14 dB both ways";
@@ -75,10 +75,10 @@ TEST(MapWarnings, TellOfAFixedBeamThatPointsBesideTheMap) {
   radar::Radar radar = with_elevation_beam(-8.5);
   radar.mode = radar::Mode::DopplerBeamSharpening;
   radar.scan = {.kind = radar::ScanKind::Fixed, .azimuth_rad = radians_from_deg(1.0)};
-  EXPECT_THAT(map_warnings(radar, {.area = std::nullopt, .cell_m = 10.0}, level, extent), IsEmpty());
+  EXPECT_THAT(map_warnings(radar, {.area = std::nullopt, .cell_m = 10.0}, terrain_of_extent, extent), IsEmpty());
   radar.scan.azimuth_rad = radians_from_deg(90.0);
   EXPECT_THAT(
-      map_warnings(radar, {.area = std::nullopt, .cell_m = 10.0}, level, extent),
+      map_warnings(radar, {.area = std::nullopt, .cell_m = 10.0}, terrain_of_extent, extent),
       ElementsAre(::testing::StartsWith("the beam points to 90° (scan.azimuth_deg), and what is mapped lies -91")));
 }
 
@@ -89,7 +89,8 @@ TEST(MapWarnings, MeasureBeamAndPulseOnTheGround) {
                        .beam_width_rad = beam_rad,
                        .waveform = {.pulse_length_s = 1e-7, .pulse_repetition_hz = 1000.0}};
     radar.position = radar::position_seeing({0, 0, 0}, 0.0, radians_from_deg(elevation_deg), 10e3);
-    return map_warnings(radar, {.area = radar::Rectangle{-100, -100, 100, 100}, .cell_m = cell_m}, level, extent);
+    return map_warnings(radar, {.area = radar::Rectangle{-100, -100, 100, 100}, .cell_m = cell_m}, terrain_of_extent,
+                        extent);
   };
   EXPECT_THAT(warnings(75.0, 8.6e-4, 10.0, 6.0), ElementsAre(::testing::StartsWith("the beam of 1.51 m")));
   EXPECT_THAT(warnings(15.0, 8.6e-4, 10.0, 6.0), IsEmpty());
@@ -109,12 +110,12 @@ TEST(MapWarnings, KnowTheEarthThatPulsesDo) {
   radar.position = radar::position_seeing({0, 0, 0}, 0.0, radians_from_deg(40.0), 900e3, radar::earth_of(radar));
   radar.receiver.first_range_m = 898e3;
   radar.receiver.last_range_m = 902e3;
-  EXPECT_THAT(map_warnings(radar, {.area = std::nullopt, .cell_m = 10.0}, level, extent),
+  EXPECT_THAT(map_warnings(radar, {.area = std::nullopt, .cell_m = 10.0}, terrain_of_extent, extent),
               Each(::testing::Not(::testing::HasSubstr("holds nothing"))));
   radar::Target target;
   target.track = radar::Track::straight({0.0, 0.0, 1.0});
   const std::vector<radar::Target> targets{target};
-  EXPECT_THAT(recording_warnings(radar, extent, level, false, targets),
+  EXPECT_THAT(recording_warnings(radar, extent, terrain_of_extent, false, targets),
               Each(::testing::Not(::testing::HasSubstr("targets"))));
 }
 
@@ -122,10 +123,10 @@ TEST(MapWarnings, KnowTheEarthThatPulsesDo) {
 TEST(AreaWarnings, SayNothingOfCells) {
   const radar::Radar radar = with_elevation_beam(-8.5);
   const radar::MapRequest request{.area = radar::Rectangle{-500, -500, 500, 700}, .cell_m = 100.0};
-  const auto of_map = map_warnings(radar, request, level, extent);
+  const auto of_map = map_warnings(radar, request, terrain_of_extent, extent);
   EXPECT_THAT(of_map, ElementsAre(::testing::HasSubstr("narrower than the map's cells of 100 m"),
                                   ::testing::HasSubstr("200 m in the north")));
-  EXPECT_THAT(area_warnings(radar, request, level, extent), ElementsAre(of_map.back()));
+  EXPECT_THAT(area_warnings(radar, request, terrain_of_extent, extent), ElementsAre(of_map.back()));
 }
 
 /// The area is 2.9° wide; the sector is swept from its middle to the right.
@@ -149,7 +150,7 @@ TEST(RecordingWarnings, TellOfAScanThatIsElsewhere) {
 
 TEST(RecordingWarnings, TellOfWhatIsNotInThePulses) {
   radar::Radar radar = with_elevation_beam(-8.5);
-  const auto told = [&](bool calibrated) { return recording_warnings(radar, extent, level, calibrated); };
+  const auto told = [&](bool calibrated) { return recording_warnings(radar, extent, terrain_of_extent, calibrated); };
   EXPECT_THAT(told(true), IsEmpty());
   radar.beam_width_rad = 0.1;  // 0.1/√2 both ways, of 20 km
   EXPECT_THAT(told(false), IsEmpty());
@@ -165,9 +166,9 @@ TEST(RecordingWarnings, KnowIntoWhichGateEchoesFold) {
   radar.waveform.pulse_repetition_hz = 10e3;
   radar.receiver.first_range_m = 4.7e3;
   radar.receiver.last_range_m = 5.8e3;
-  EXPECT_THAT(recording_warnings(radar, extent, level, false), IsEmpty());
+  EXPECT_THAT(recording_warnings(radar, extent, terrain_of_extent, false), IsEmpty());
   radar.receiver.first_range_m = 3e3;
-  EXPECT_THAT(recording_warnings(radar, extent, level, false),
+  EXPECT_THAT(recording_warnings(radar, extent, terrain_of_extent, false),
               ElementsAre(::testing::AllOf(::testing::StartsWith("the range gate from 3 to 5.8 km is wider"),
                                            ::testing::HasSubstr("km away and folded to 4.67"))));
 }
@@ -179,7 +180,7 @@ TEST(RecordingWarnings, TellOfTargetsOutsideTheGate) {
     radar::Target target;
     target.track = radar::Track::straight(place);
     const std::vector<radar::Target> targets{target};
-    return recording_warnings(radar, extent, level, false, targets);
+    return recording_warnings(radar, extent, terrain_of_extent, false, targets);
   };
   EXPECT_THAT(told({0.0, 0.0, 10.0}), IsEmpty());
   const Vec3d before = radar.position * 0.5;

@@ -4,16 +4,14 @@
 #include <gtest/gtest.h>
 #include <limits>
 
+#include "unit/simulate/level_ground.h"
+
 #include "sigmascape/base/units.h"
 #include "sigmascape/radar/coherent_plan.h"
 #include "sigmascape/radar/window_response.h"
 
 namespace sigmascape::simulate {
 namespace {
-
-constexpr radar::Rectangle area{-50.0, -50.0, 50.0, 50.0};
-const terrain::HeightField level{
-    .west_m = -1000.0, .north_m = 1000.0, .spacing_m = 50.0, .height_m = Array2D<float>(41, 41, 0.0F)};
 
 /// Looks north from 8 km to the south with cells of 15 m, and flies east.
 radar::Radar coarse_in_range(radar::Mode mode = radar::Mode::RealBeam) {
@@ -27,7 +25,7 @@ radar::Radar coarse_in_range(radar::Mode mode = radar::Mode::RealBeam) {
 }
 
 double of_pulses_m(const radar::Radar& radar, double interval_s) {
-  return pulse_scatterer_spacing_m(radar, area, level, interval_s);
+  return pulse_scatterer_spacing_m(radar, small_area, level_ground, interval_s);
 }
 
 /// The next rung of the ladder.

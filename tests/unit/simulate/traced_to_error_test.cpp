@@ -6,27 +6,12 @@
 #include <vector>
 
 #include "physics/level_scene.h"
+#include "unit/simulate/street_scene.h"
 
 #include "sigmascape/base/error.h"
 
 namespace sigmascape::simulate {
 namespace {
-
-scatter::Material lambert(std::string name, double albedo = 0.5) {
-  return {.name = std::move(name), .model = scatter::LambertParameters{albedo, {0.0, 1.0}}, .source = {}};
-}
-
-/// Houses in rows, close enough for several bounces.
-scene::Scene street_scene() {
-  scene::Scene scene = physics_test::level_scene(lambert("ground"), 256.0);
-  scene.prototypes.push_back(scene::box_mesh({8.0F, 6.0F, 7.0F}, scene.material_index(lambert("box", 0.8))));
-  for (int row = -3; row <= 3; ++row) {
-    for (int column = -3; column <= 3; ++column) {
-      scene.instances.push_back({.x_m = 12.0F * static_cast<float>(column), .y_m = 10.0F * static_cast<float>(row)});
-    }
-  }
-  return scene;
-}
 
 class TracedToErrorTest : public testing::Test {
  protected:
@@ -48,7 +33,7 @@ class TracedToErrorTest : public testing::Test {
   radar::Rectangle area_{-40.0, -40.0, 40.0, 40.0};
 };
 
-double total(const radar::RangeAzimuthImage& image) {
+double image_total(const radar::RangeAzimuthImage& image) {
   double sum = 0.0;
   for (const radar::Channels& bin : image.rcs_m2.values()) sum += bin.power(radar::Polarization::Sum);
   return sum;
@@ -75,7 +60,7 @@ double median_difference(const TracedToError& one, const TracedToError& other) {
     const double error = std::hypot(a * static_cast<double>(one.relative_errors.values()[bin]),
                                     b * static_cast<double>(other.relative_errors.values()[bin]));
     // The flanks of the responses around the area are the area's own noise over again.
-    if (a > 1e-3 * total(one.image) / static_cast<double>(one.image.rcs_m2.size()) && error > 0.0)
+    if (a > 1e-3 * image_total(one.image) / static_cast<double>(one.image.rcs_m2.size()) && error > 0.0)
       in_errors.push_back(std::abs(a - b) / error);
   }
   EXPECT_GT(in_errors.size(), 1000U);
@@ -99,7 +84,7 @@ TEST_F(TracedToErrorTest, HoldsThePowerOfAMapThatIsTracedAtOnce) {
   trace::TraceCounts counts;
   const auto at_once =
       traced_image(scene_, geometry_, radar_, area_, {.cell_m = 2.0, .samples_per_cell = 128, .threads = 2}, counts);
-  EXPECT_NEAR(10.0 * std::log10(total(traced(0.1).image) / total(at_once)), 0.0, 0.05);
+  EXPECT_NEAR(10.0 * std::log10(image_total(traced(0.1).image) / image_total(at_once)), 0.0, 0.05);
 }
 
 /// Houses on one side of an area that is open ground on the other, and around.
@@ -122,13 +107,13 @@ TEST_F(UnevenAreaTest, FewerRaysWhereTheyBringLittle) {
 
 TEST_F(UnevenAreaTest, FewerRaysBringAsMuchPowerAndTheirScatterIsTheirError) {
   trace::TraceCounts counts;
-  const double expected = total(
+  const double expected = image_total(
       traced_image(scene_, geometry_, radar_, uneven_, {.samples_per_cell = 2048, .seed = 1000, .threads = 2}, counts));
   std::vector<double> totals, power, squares, stated;
   for (int seed = 0; seed < maps; ++seed) {
     const TraceSettings settings{.seed = static_cast<std::uint64_t>(seed), .threads = 2};
     const TracedToError map = traced_to_error(scene_, geometry_, radar_, uneven_, settings, fewest_passes_, counts);
-    totals.push_back(total(map.image));
+    totals.push_back(image_total(map.image));
     power.resize(map.image.rcs_m2.size());
     squares.resize(power.size());
     stated.resize(power.size());

@@ -39,7 +39,7 @@ HeightField rough(std::size_t columns = 1100, std::size_t rows = 700) {
 }
 
 /// The window's surface as a field, to be asked anywhere.
-HeightField field_of(const TerrainView& view) {
+HeightField surface_of(const TerrainView& view) {
   HeightField field{.west_m = view.extent().west_m,
                     .north_m = view.extent().north_m,
                     .spacing_m = view.spacing_m,
@@ -58,7 +58,7 @@ TEST(TerrainPyramid, LevelZeroIsTheFieldItself) {
   const auto report = window.fill(pyramid, field.extent(), 0, TileWait::Load);
   EXPECT_EQ(report.level, 0);
   EXPECT_EQ(report.tiles, 15U);
-  const HeightField seen = field_of(window.view());
+  const HeightField seen = surface_of(window.view());
   for (double x = -990.0; x < 4400.0; x += 37.3) {
     for (double y = -1400.0; y < 1990.0; y += 41.7)
       ASSERT_FLOAT_EQ(static_cast<float>(seen.height_at({x, y})), static_cast<float>(field.height_at({x, y})));
@@ -249,7 +249,7 @@ TEST_F(PyramidOnDisk, AMissingTileGivesItsParentAndAReport) {
   EXPECT_EQ(report.error_m, pyramid.summary({1, 0, 0}).error_m);
   ASSERT_EQ(pyramid.faults().size(), 1U);
   EXPECT_THAT(pyramid.faults()[0].message, HasSubstr("1_1.tif"));
-  const HeightField surface = field_of(window.view());
+  const HeightField surface = surface_of(window.view());
   const Vec2d inside{-1000.0 + 5.0 * 380, 2000.0 - 5.0 * 380};
   const double error_m = static_cast<double>(pyramid.summary({1, 0, 0}).error_m);
   EXPECT_NEAR(surface.height_at(inside), field_.height_at(inside), error_m);
@@ -318,7 +318,7 @@ TEST_F(PyramidOnDisk, WithoutWaitingTheCoarsestStandsIn) {
   TerrainWindow window(1500);
   const auto first = window.fill(pyramid, area_, 0, TileWait::ResidentOnly);
   EXPECT_EQ(first.lacking.size(), first.tiles);
-  EXPECT_GT(field_of(window.view()).height_at({0.0, 0.0}), 50.0);
+  EXPECT_GT(surface_of(window.view()).height_at({0.0, 0.0}), 50.0);
   for (const TileKey& key : first.lacking) EXPECT_NE(pyramid.load(key), nullptr);
   EXPECT_TRUE(window.fill(pyramid, area_, 0, TileWait::ResidentOnly).lacking.empty());
 }
@@ -628,7 +628,7 @@ TEST(PyramidFromRaster, ReadsATileAtATime) {
   EXPECT_GE(pyramid.levels(), 2);
   TerrainWindow window(600);
   window.fill(pyramid, extent, 0, TileWait::Load);
-  const HeightField surface = field_of(window.view());
+  const HeightField surface = surface_of(window.view());
   const Vec2d middle = extent.centre();
   for (const Vec2d p : {middle, middle + Vec2d{200.0, -100.0}, middle + Vec2d{-321.0, 222.0}}) {
     EXPECT_NEAR(surface.height_at(p), whole.field.height_at(p), 0.02);

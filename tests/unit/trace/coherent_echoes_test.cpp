@@ -10,7 +10,6 @@ namespace sigmascape::trace {
 namespace {
 
 using Complex = std::complex<double>;
-constexpr double frequency_hz = 10e9;
 
 struct CoherentEchoes {
   std::vector<radar::Echo> echoes;
@@ -20,7 +19,7 @@ struct CoherentEchoes {
 CoherentEchoes traced(const scene::Scene& scene, const radar::Aspect& aspect, const PathOptions& options) {
   const SceneGeometry geometry(scene, Footing::LevelPlane);
   const auto viewpoint = Viewpoint::distant(aspect);
-  const PathTracer tracer(geometry, surface_models(scene, frequency_hz), viewpoint, options, 1);
+  const PathTracer tracer(geometry, surface_models(scene, x_band_hz), viewpoint, options, 1);
   const LaunchArea launch =
       launch_area(viewpoint, {-20, -20, 20, 20}, 1.0, 0.0, geometry.highest_m() + 1.0, {10.0, 10.0});
   CoherentEchoes all;
@@ -59,7 +58,7 @@ Received received(const CoherentEchoes& all, int bounces) {
   Received sum;
   for (std::size_t i = 0; i < all.echoes.size(); ++i) {
     if (all.echoes[i].bounces != bounces) continue;
-    const Complex travel = std::polar(1.0, -4.0 * pi * all.echoes[i].range_m / wavelength_m(frequency_hz));
+    const Complex travel = std::polar(1.0, -4.0 * pi * all.echoes[i].range_m / wavelength_m(x_band_hz));
     sum.vv += Complex(all.amplitudes_m[i].vv) * travel;
     sum.hh += Complex(all.amplitudes_m[i].hh) * travel;
     sum.hv += Complex(all.amplitudes_m[i].hv) * travel;

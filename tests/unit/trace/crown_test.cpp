@@ -14,8 +14,6 @@
 namespace sigmascape::trace {
 namespace {
 
-constexpr double frequency_hz = 10e9;
-
 scatter::Material medium(const scatter::CrownParameters& parameters) {
   return {.name = "medium", .model = parameters, .source = {}};
 }
@@ -45,7 +43,7 @@ radar::Channels sigma0(const scene::Scene& scene, double elevation_deg, const Pa
   const double elevation = radians_from_deg(elevation_deg);
   const auto viewpoint = Viewpoint::distant({pi, elevation});
   const SceneGeometry geometry(scene, Footing::LevelPlane);
-  const PathTracer tracer(geometry, surface_models(scene, frequency_hz), viewpoint, options, 3);
+  const PathTracer tracer(geometry, surface_models(scene, x_band_hz), viewpoint, options, 3);
   const double launched_m = half_m + 12.0;
   const LaunchArea launch = launch_area(viewpoint, {-launched_m, -launched_m, launched_m, launched_m}, 1.0, 0.0,
                                         geometry.highest_m() + 1.0, {});
@@ -79,7 +77,7 @@ TEST(Crown, RaysCrossScaledEllipsoidsAlongTheirChords) {
   scene.instances[0] = {.x_m = -795.0F, .y_m = 0.0F, .yaw_rad = 0.0F, .scale = {2.0F, 1.0F, 1.0F}};
   scene.crowns[0].shape.centre = {400.0F, 0.0F, 4.0F};  // at x = 5, with radii of 4, 2 and 3
   const SceneGeometry geometry(scene, Footing::LevelPlane);
-  const auto surfaces = surface_models(scene, frequency_hz);
+  const auto surfaces = surface_models(scene, x_band_hz);
   const auto depth = [&](Vec3f from, Vec3f towards) {
     CrownCrossings crowns;
     crowns.begin(surfaces);
@@ -103,7 +101,7 @@ TEST(Crown, EveryCrownOfATreeCounts) {
   upper.shape = {{0.0F, 0.0F, 12.0F}, {2.0F, 2.0F, 3.0F}};
   scene.crowns.push_back(upper);
   const SceneGeometry geometry(scene, Footing::LevelPlane);
-  const auto surfaces = surface_models(scene, frequency_hz);
+  const auto surfaces = surface_models(scene, x_band_hz);
   for (const float up : {1.0F, -1.0F}) {
     CrownCrossings crowns;
     crowns.begin(surfaces);
@@ -120,7 +118,7 @@ TEST(Crown, OfATallTreeLetsPassWhatThatOfASmallOneDoes) {
     scene.crowns[0].shape.centre = {0.0F, 0.0F, 4.0F};
     scene.instances = {{.x_m = 0.0F, .y_m = 0.0F, .scale = {scale, scale, scale}}};
     const SceneGeometry geometry(scene, Footing::LevelPlane);
-    const auto surfaces = surface_models(scene, frequency_hz);
+    const auto surfaces = surface_models(scene, x_band_hz);
     CrownCrossings crowns;
     crowns.begin(surfaces);
     EXPECT_FALSE(geometry.occluded({-100.0F, 0.5F * scale, 4.5F * scale}, {1.0F, 0.0F, 0.0F}, crowns));
@@ -208,7 +206,7 @@ TEST(Crown, KeepsAllPowerThatItDoesNotAbsorb) {
                                            {.extinction_per_m = 1.0, .albedo = albedo, .depolarization = {0.3, 0.2}});
     const auto viewpoint = Viewpoint::distant({pi, 0.7});
     const SceneGeometry geometry(scene, Footing::LevelPlane);
-    const PathTracer tracer(geometry, surface_models(scene, frequency_hz), viewpoint,
+    const PathTracer tracer(geometry, surface_models(scene, x_band_hz), viewpoint,
                             {.max_bounces = 200, .power_books = true}, 1);
     const LaunchArea launch = launch_area(viewpoint, {-12, -12, 12, 12}, 1.0, 0.0, geometry.highest_m() + 1.0, {});
     return tracer.trace(launch, {0, 128, 128}, 1, [](std::span<const radar::Echo>, unsigned) {}).power;
@@ -311,7 +309,7 @@ void without_bark(scene::Mesh& mesh) {
 void expect_equal_passage(const Stand& tree, const scene::Ellipsoid& shape, std::string_view name,
                           std::string_view source) {
   const SceneGeometry leaves(tree.leaves, Footing::LevelPlane), media(tree.media, Footing::LevelPlane);
-  const auto surfaces = surface_models(tree.media, frequency_hz);
+  const auto surfaces = surface_models(tree.media, x_band_hz);
   for (const double elevation_deg : {0.0, 45.0}) {
     const double e = radians_from_deg(elevation_deg);
     const Vec3f direction = Vec3d{0.0, std::cos(e), -std::sin(e)}.to<float>();

@@ -12,7 +12,7 @@
 namespace sigmascape::trace {
 namespace {
 
-const radar::Aspect from_south{pi, radians_from_deg(30.0)}, steeply_from_south{pi, radians_from_deg(60.0)};
+const radar::Aspect southern{pi, radians_from_deg(30.0)}, steep_southern{pi, radians_from_deg(60.0)};
 
 /// A high wall that faces the radar over a low one 50 m before it, on black ground: what goes to and fro between the
 /// two lands some 50 m, 100 m … behind the high one.
@@ -23,11 +23,11 @@ scene::Scene wall_behind_wall() {
   return scene;
 }
 
-constexpr radar::Rectangle target{-40, 52, 40, 72};
+constexpr radar::Rectangle behind_wall{-40, 52, 40, 72};
 
-/// The power of several bounces that lands in the target when rays are launched for `launched`.
+/// The power of several bounces that lands behind the high wall when rays are launched for `launched`.
 double landed(const scene::Scene& scene, const radar::Rectangle& launched, const MultibounceReach& reach,
-              const radar::Aspect& aspect = from_south) {
+              const radar::Aspect& aspect = southern) {
   const auto viewpoint = Viewpoint::distant(aspect);
   const SceneGeometry geometry(scene, Footing::LevelPlane);
   const PathTracer tracer(geometry, surface_models(scene, 10e9), viewpoint, {.max_bounces = 4, .roulette = false}, 3);
@@ -37,7 +37,7 @@ double landed(const scene::Scene& scene, const radar::Rectangle& launched, const
   tracer.trace(launch, {0, 192, 192}, 1, [&](std::span<const radar::Echo> echoes, unsigned) {
     for (const radar::Echo& echo : echoes) {
       const double north = echo.range_m / std::cos(aspect.elevation_rad);
-      if (echo.bounces > 1 && target.contains({echo.cross, north}))
+      if (echo.bounces > 1 && behind_wall.contains({echo.cross, north}))
         sum += static_cast<double>(echo.rcs_m2.power(radar::Polarization::Sum));
     }
   });
@@ -48,23 +48,23 @@ TEST(MultibounceReach, BringsWhatALargerAreaWould) {
   const scene::Scene scene = wall_behind_wall();
   const double all = landed(scene, {-100, -100, 100, 100}, {});
   ASSERT_GT(all, 0.0);
-  const auto reach = multibounce_reach(scene, Viewpoint::distant(from_south), target);
-  EXPECT_NEAR(landed(scene, target, reach) / all, 1.0, 0.03);
+  const auto reach = multibounce_reach(scene, Viewpoint::distant(southern), behind_wall);
+  EXPECT_NEAR(landed(scene, behind_wall, reach) / all, 1.0, 0.03);
   // As far as once was thought to be enough.
-  EXPECT_LT(landed(scene, target, {32.0, 32.0}) / all, 0.01);
+  EXPECT_LT(landed(scene, behind_wall, {32.0, 32.0}) / all, 0.01);
 }
 
 // Rays that are spared count for more. From far above, those that meet the wall are not aimed beyond the target.
 TEST(MultibounceReach, RingsDoNotChangeTheMean) {
   const scene::Scene scene = wall_behind_wall();
-  const double all = landed(scene, {-80, -60, 80, 72}, {}, steeply_from_south);
+  const double all = landed(scene, {-80, -60, 80, 72}, {}, steep_southern);
   for (const double before_m : {60.0, 120.0, 240.0})
-    EXPECT_NEAR(landed(scene, target, {before_m, 40.0}, steeply_from_south) / all, 1.0, 0.03) << before_m;
+    EXPECT_NEAR(landed(scene, behind_wall, {before_m, 40.0}, steep_southern) / all, 1.0, 0.03) << before_m;
 }
 
 TEST(MultibounceReach, EchoesNeverLandBeforeTheirEnds) {
   const scene::Scene scene = wall_behind_wall();
-  const auto viewpoint = Viewpoint::distant(from_south);
+  const auto viewpoint = Viewpoint::distant(southern);
   const SceneGeometry geometry(scene, Footing::LevelPlane);
   const PathTracer tracer(geometry, surface_models(scene, 10e9), viewpoint, {.max_bounces = 8}, 3);
   const LaunchArea launch = launch_area(viewpoint, {-40, -80, 40, 60}, 0.5, 0.0, geometry.highest_m() + 1.0, {});
@@ -96,7 +96,7 @@ TEST(MultibounceReach, FollowsHeightAndSlope) {
   EXPECT_NEAR(before(45.0), 80.0, 1e-9);
   EXPECT_EQ(before(89.0), 1024.0);
   EXPECT_EQ(before(1.0), 1024.0);
-  EXPECT_EQ(multibounce_reach(plain_scene(0.0), Viewpoint::distant(from_south), place).before_m, 32.0);
+  EXPECT_EQ(multibounce_reach(plain_scene(0.0), Viewpoint::distant(southern), place).before_m, 32.0);
 }
 
 // High ground is seen from a place as flatly as low ground from as far above it.
@@ -130,7 +130,7 @@ TEST(MultibounceReach, EndsWhereNothingStands) {
   scene::Scene scene = plain_scene(0.0);
   scene.extent = {-50, -50, 50, 50};
   add_box(scene, {10, 20, 40}, {100, 0}, 0.5);
-  const auto reach = multibounce_reach(scene, Viewpoint::distant(from_south), {-10, -10, 10, 10});
+  const auto reach = multibounce_reach(scene, Viewpoint::distant(southern), {-10, -10, 10, 10});
   EXPECT_EQ(reach.within.west_m, -50.0);
   EXPECT_EQ(reach.within.south_m, -50.0);
   EXPECT_NEAR(reach.within.east_m, 100.0 + std::hypot(5.0, 10.0), 1e-4);

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 #include <mutex>
 
+#include "from_south.h"
 #include "plain_scene.h"
 
 #include "sigmascape/base/error.h"
@@ -15,7 +16,6 @@ namespace sigmascape::trace {
 namespace {
 
 constexpr radar::Rectangle area{-30, -30, 30, 30};
-const Viewpoint from_south = Viewpoint::distant({pi, radians_from_deg(30.0)});
 
 /// Two boxes close together on bright ground, black beyond 25 m: paths of many bounces, with both ends within what is
 /// launched.

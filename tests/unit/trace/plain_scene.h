@@ -8,6 +8,8 @@
 
 namespace sigmascape::trace {
 
+inline constexpr double x_band_hz = 10e9;
+
 inline scatter::Material lambert(std::string name, double albedo) {
   return {.name = std::move(name), .model = scatter::LambertParameters{albedo, {0.1, 0.5}}, .source = {}};
 }

@@ -10,7 +10,7 @@
 namespace sigmascape::trace {
 namespace {
 
-const Viewpoint from_south = Viewpoint::distant({pi + 0.3, radians_from_deg(40.0)});
+const Viewpoint from_south_southwest = Viewpoint::distant({pi + 0.3, radians_from_deg(40.0)});
 
 /// Boxes on ground, all of one material: two along a street, or four about a pit.
 scene::Scene walled_scene(const scatter::Material& material, bool pit) {
@@ -28,8 +28,8 @@ scene::Scene walled_scene(const scatter::Material& material, bool pit) {
 
 PowerBooks books_of(const scene::Scene& scene, double frequency_hz, const PathOptions& options) {
   const SceneGeometry geometry(scene, Footing::LevelPlane);
-  const PathTracer tracer(geometry, surface_models(scene, frequency_hz), from_south, options, 1);
-  const LaunchArea launch = launch_area(from_south, {-8, -8, 8, 8}, 2.0, 0.0, geometry.highest_m() + 1.0, {});
+  const PathTracer tracer(geometry, surface_models(scene, frequency_hz), from_south_southwest, options, 1);
+  const LaunchArea launch = launch_area(from_south_southwest, {-8, -8, 8, 8}, 2.0, 0.0, geometry.highest_m() + 1.0, {});
   return tracer.trace(launch, {0, 256, 256}, 1, [](std::span<const radar::Echo>, unsigned) {}).power;
 }
 

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
+#include "from_south.h"
 #include "plain_scene.h"
 
 #include "sigmascape/trace/path_tracer.h"
@@ -10,7 +11,6 @@ namespace sigmascape::trace {
 namespace {
 
 constexpr std::array frequencies_hz{1.5e9, 5e9, 30e9};
-const Viewpoint from_south = Viewpoint::distant({pi, radians_from_deg(30.0)});
 
 /// Rough boxes whose lobes diffraction widens tenfold from the highest to the lowest frequency, on ground of concrete
 /// that changes its permittivity between them.
