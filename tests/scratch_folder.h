@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
@@ -12,7 +13,7 @@
 
 namespace sigmascape {
 
-/// A folder of its own for one test, or for a whole suite when made while that is set up; removed afterwards.
+/// A new folder, for one test or for a whole suite when made while that is set up; removed afterwards.
 class ScratchFolder {
  public:
   ScratchFolder() : folder_(std::filesystem::temp_directory_path() / name()) {
@@ -31,10 +32,12 @@ class ScratchFolder {
 
  private:
   static std::string name() {
+    static std::atomic<int> made{0};
     const auto* unit = ::testing::UnitTest::GetInstance();
     const auto* test = unit->current_test_info();
     std::string words = std::string("sigmascape_") + unit->current_test_suite()->name() + "_" +
-                        (test != nullptr ? test->name() : "suite") + "_" + std::to_string(getpid());
+                        (test != nullptr ? test->name() : "suite") + "_" + std::to_string(getpid()) + "_" +
+                        std::to_string(++made);
     for (char& c : words) c = c == '/' ? '_' : c;
     return words;
   }

@@ -22,20 +22,20 @@ inline CookTorrance conducting(MicrofacetDistribution distribution, double alpha
 
 /// σ0 = 4π b cos² θ.
 inline double sigma0(const CookTorrance& surface, double incidence_rad) {
-  return 4.0 * pi * static_cast<double>(surface.backscatter(direction(incidence_rad), up).vv) *
+  return 4.0 * pi * static_cast<double>(surface.backscatter(direction_at(incidence_rad), up).vv) *
          std::pow(std::cos(incidence_rad), 2);
 }
 
 inline double unmasked_sigma0(MicrofacetDistribution distribution, double alpha, double incidence_rad) {
   return pi *
-         static_cast<double>(Microfacets(distribution, static_cast<float>(alpha)).density(direction(incidence_rad)));
+         static_cast<double>(Microfacets(distribution, static_cast<float>(alpha)).density(direction_at(incidence_rad)));
 }
 
 /// ∫ b cos θo dωo over both receive polarizations for an incoming wave of `v` polarization: midpoints over facet
 /// normals m, with dωo = 4 (w·m) dm, and tan θm = α t / (1 − t).
 inline double directional_albedo(const CookTorrance& surface, double alpha, double incidence_rad, int rings = 1000,
                                  int sectors = 360) {
-  const Vec3f w = direction(incidence_rad);
+  const Vec3f w = direction_at(incidence_rad);
   const scatter::PolarizationBasis basis(-w);
   double sum = 0.0;
   for (int ring = 0; ring < rings; ++ring) {

@@ -16,7 +16,7 @@ namespace {
 /// Power that leaves over power that arrives in vertical polarization, by the surface's own samples.
 double returned_power(const scatter::SurfaceModel& model, double incidence_deg) {
   constexpr std::uint32_t points = 1U << 16U;
-  const Vec3f to_source = direction(radians_from_deg(incidence_deg));
+  const Vec3f to_source = direction_at(radians_from_deg(incidence_deg));
   const scatter::PolarizationBasis basis(-to_source);
   double power = 0.0;
   for (std::uint32_t i = 0; i < points; ++i) {
@@ -57,7 +57,7 @@ TEST(ConstantGamma, DirectionalAlbedo) {
 TEST(ConstantGamma, UrbanIsBartonsExample) {
   const scatter::SurfaceModel urban(scatter::library_material("urban"), 10e9);
   const double psi = radians_from_deg(20.0);
-  const radar::Channels brdf = urban.backscatter(direction(radians_from_deg(70.0)), up);
+  const radar::Channels brdf = urban.backscatter(direction_at(radians_from_deg(70.0)), up);
   validation::expect_close(
       {.group = "Constant gamma",
        .name = "urban, σ0 at 20° of grazing",

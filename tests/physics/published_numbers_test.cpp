@@ -47,7 +47,7 @@ double incidence(double degrees) {
 double library_sigma0_db(const char* name, double incidence_deg, double at_frequency_hz = 10e9) {
   const scatter::SurfaceModel model(scatter::library_material(name), at_frequency_hz);
   const double theta = radians_from_deg(incidence_deg);
-  const radar::Channels brdf = model.backscatter(direction(theta), up);
+  const radar::Channels brdf = model.backscatter(direction_at(theta), up);
   return db_from_linear(4.0 * pi * static_cast<double>(brdf.vv) * std::pow(std::cos(theta), 2));
 }
 
@@ -94,7 +94,7 @@ double lambert_sphere_m2(double radius_m) {
   const scatter::Material white{.name = "white", .model = scatter::LambertParameters{1.0, {0.0, 1.0}}, .source = {}};
   const scatter::SurfaceModel model(white, 10e9);
   return pi * radius_m * radius_m * sphere_over_disk([&](double theta) {
-           return 4.0 * pi * static_cast<double>(model.backscatter(direction(theta), up).vv) *
+           return 4.0 * pi * static_cast<double>(model.backscatter(direction_at(theta), up).vv) *
                   std::pow(std::cos(theta), 2);
          });
 }
