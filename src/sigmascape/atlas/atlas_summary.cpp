@@ -65,7 +65,7 @@ AtlasSummary::Files obstacles_of(const Store& atlas) {
 
 /// Of a layer of an atlas that `open` opens, unless its collection has a fault.
 template <typename Open>
-AtlasSummary::Layer layer_of(const Store& atlas, std::optional<StoreFault> fault, const Open& open) {
+AtlasSummary::Layer told_of_layer(const Store& atlas, std::optional<StoreFault> fault, const Open& open) {
   if (fault) return {.textures = {}, .fault = std::move(fault)};
   const Store layer = open(atlas);
   const PatchBlock patches = layer.description().patches.block_over(layer.description().extent);
@@ -82,7 +82,7 @@ std::optional<AtlasSummary::Buildings> buildings_of(const Store& atlas) {
   if (!keeps_buildings_apart(atlas.description())) return std::nullopt;
   AtlasSummary::Buildings buildings{.fault = buildings_fault(atlas, Scrutiny::Size), .textures = {}};
   if (keeps_building_textures(atlas.description()))
-    buildings.textures = layer_of(atlas, building_textures_fault(atlas), open_building_textures);
+    buildings.textures = told_of_layer(atlas, building_textures_fault(atlas), open_building_textures);
   return buildings;
 }
 
@@ -118,7 +118,7 @@ AtlasSummary summary_of(const Store& store) {
   summary.buildings = buildings_of(store);
   if (keeps_ground_apart(store)) {
     summary.obstacles = obstacles_of(store);
-    summary.ground = layer_of(store, ground_collection_fault(store), open_ground_store);
+    summary.ground = told_of_layer(store, ground_collection_fault(store), open_ground_store);
   }
   return summary;
 }
