@@ -146,16 +146,17 @@ void smooth_within(Array2D<float>& heights, double tolerance_m) {
   constexpr std::size_t together = 4, times = 25;
   const Array2D<float> original = heights;
   const auto tolerance = static_cast<float>(tolerance_m);
+  const auto relax_within = [&](Node node) {
+    const float from = original(node.column, node.row);
+    relax(heights, node, [&](float h) { return std::clamp(h, from - tolerance, from + tolerance); });
+  };
+  const std::size_t rows = heights.rows();
   for (std::size_t time = 0; time < times; ++time) {
-    for (std::size_t first_row = 0; first_row < heights.rows() + together - 1; ++first_row) {
+    for (std::size_t foremost = 0; foremost < rows + together - 1; ++foremost) {
       Interruption::heed();
+      const std::size_t first = foremost < rows ? 0 : foremost - rows + 1, end = std::min(together, foremost + 1);
       for (std::size_t column = 0; column < heights.columns(); ++column) {
-        for (std::size_t sweep = 0; sweep < std::min(together, first_row + 1); ++sweep) {
-          const std::size_t row = first_row - sweep;
-          if (row >= heights.rows()) continue;
-          const float from = original(column, row);
-          relax(heights, {column, row}, [&](float h) { return std::clamp(h, from - tolerance, from + tolerance); });
-        }
+        for (std::size_t sweep = first; sweep < end; ++sweep) relax_within({column, foremost - sweep});
       }
     }
   }
