@@ -7,6 +7,7 @@
 #include "sigmascape/base/parallel.h"
 #include "sigmascape/radar/rectangle_parts.h"
 #include "sigmascape/terrain/obstacle_sweep.h"
+#include "sigmascape/terrain/roof_doubt.h"
 
 namespace sigmascape::render {
 namespace {
@@ -22,15 +23,6 @@ constexpr double farthest_crowns_m = 2000.0;
 constexpr double before_wall_squares = 0.75;
 /// A face whose normal leans more than so far from the vertical is a wall.
 constexpr double wall_normal_z = 0.5;
-/// Squares of a roof know its height no better.
-constexpr double roof_tolerance_m = 0.3;
-/// Nor is there doubt about it farther away than so many squares.
-constexpr double most_doubtful_squares = 32.0;
-
-/// By how much squares over sloping ground, or of a roof that slopes, may be higher than what stands in them.
-double rise_across(Vec3d normal) {
-  return (std::abs(normal.x) + std::abs(normal.y)) / normal.z;
-}
 
 /// An area, and what lies before it as seen from a radar as far as crowns weaken what lies behind them.
 radar::Rectangle with_what_lies_before(const radar::Rectangle& area, Vec3d radar) {
@@ -76,8 +68,8 @@ FaceSight::FaceSight(const radar::ObstacleMap& obstacles, const terrain::HeightF
       terrain_(terrain),
       earth_(earth),
       // Lines of sight begin a little before their faces.
-      skyline_(obstacles, terrain, vantage, radar::widened(area, (most_doubtful_squares + 1.0) * obstacles.grid.cell_m),
-               earth, threads) {
+      skyline_(obstacles, terrain, vantage,
+               radar::widened(area, (terrain::most_doubtful_squares + 1.0) * obstacles.grid.cell_m), earth, threads) {
   find_crowns(with_what_lies_before(area, vantage.place_for(area.centre())), threads);
 }
 
@@ -152,11 +144,11 @@ double FaceSight::part_passed(Vec3d point, Vec3d normal, Vec3d radar) const {
     if (across > 0.0) way.go_on_beside(Vec2d{normal.x, normal.y} * (before_wall_squares * square_m / across));
     if (is_hidden_at(way, 0.0, 0.0)) return 0.0;
   } else {
-    const double of_ground = rise_across(terrain_.normal_at({point.x, point.y}));
-    const double tolerance_m = roof_tolerance_m + square_m * (rise_across(normal) + of_ground);
+    const double of_ground = terrain::rise_across(terrain_.normal_at({point.x, point.y}));
+    const double tolerance_m = terrain::roof_tolerance_m + square_m * (terrain::rise_across(normal) + of_ground);
     // Over the roof's own plane; what the line has climbed no doubt about the roof takes from it.
     const double climb = std::max(0.0, way.rise + dot(Vec2d{normal.x, normal.y}, way.direction) / normal.z);
-    const double end_m = std::min(way.length_m, most_doubtful_squares * square_m);
+    const double end_m = std::min(way.length_m, terrain::most_doubtful_squares * square_m);
     for (; looked_at_m < end_m && looked_at_m * climb < tolerance_m; looked_at_m += square_m)
       if (is_hidden_at(way, looked_at_m, tolerance_m - looked_at_m * climb)) return 0.0;
   }

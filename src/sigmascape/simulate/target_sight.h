@@ -30,7 +30,8 @@ struct Surroundings {
 
 /// The part of a point's power that the radar sees: none behind a hill or a house, e^−κs through crowns, once for both
 /// ways, for they share their gaps (docs/physics/vegetation.md). A point under the ground is seen as one on it. By a
-/// march along the straight line between them, in steps of the obstacles or the terrain.
+/// march along the straight line between them, in steps of the obstacles or the terrain. What stands on a roof, to
+/// within what squares of obstacles know of its height (terrain/roof_doubt.h), is not within the house.
 [[nodiscard]] double part_seen(const Surroundings& surroundings, Vec3d radar_position, Vec3d point);
 /// The same by a ray through the whole scene, on its terrain. `surfaces`: those of the scene at the radar's frequency.
 [[nodiscard]] double part_seen(const trace::SceneGeometry& geometry, const std::vector<scatter::SurfaceModel>& surfaces,

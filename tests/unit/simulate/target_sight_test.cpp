@@ -74,6 +74,38 @@ TEST(TargetSight, is_not_had_from_within_a_house) {
   }
 }
 
+/// Squares over a slope are as high above all of it as the roof is above their lowest ground.
+TEST(TargetSight, is_had_from_a_roof_over_sloping_ground) {
+  const double slope = std::tan(radians_from_deg(10.0)), side_m = 16.0, lift_m = 9.37;
+  auto scene = physics_test::level_scene(scatter::Material{.name = "stone", .model = {}, .source = {}}, 400.0);
+  scene.terrain = {-200.0, 200.0, 10.0, Array2D<float>(41, 41, 0.0F)};
+  for (std::size_t row = 0; row < 41; ++row) {
+    for (std::size_t column = 0; column < 41; ++column)
+      scene.terrain.height_m(column, row) = static_cast<float>(100.0 + slope * 10.0 * static_cast<double>(column));
+  }
+  const auto side = static_cast<float>(side_m);
+  scene.prototypes.push_back(scene::box_mesh({side, side, static_cast<float>(lift_m)}, 0));
+  scene.instances.push_back({});
+  const auto obstacles = scene::obstacles_of(scene, {-40.0, 40.0, 2.0, 40, 40});
+  const trace::SceneGeometry geometry(scene, trace::Footing::Terrain);
+  const auto surfaces = trace::surface_models(scene, 10e9);
+  const double roof_m = scene.terrain.height_at({0.0, 0.0}) + lift_m;
+  for (const double azimuth_deg : {0.0, 60.0, 90.0, 200.0, 270.0}) {
+    for (const double elevation_deg : {12.0, 45.0}) {
+      for (const double across_m : {-7.5, -3.0, 0.0, 5.2, 7.9}) {
+        const Vec3d point{across_m, 0.3 * across_m, roof_m + 0.01};
+        const Vec3d radar =
+            radar::position_seeing(point, radians_from_deg(azimuth_deg), radians_from_deg(elevation_deg), 20e3);
+        ASSERT_EQ(part_seen(geometry, surfaces, radar, point), 1.0);
+        EXPECT_EQ(part_seen({scene.terrain, &obstacles}, radar, point), 1.0)
+            << azimuth_deg << " " << elevation_deg << " " << across_m;
+        const Vec3d within = point - Vec3d{0.0, 0.0, 3.0};
+        EXPECT_EQ(part_seen({scene.terrain, &obstacles}, radar, within), 0.0);
+      }
+    }
+  }
+}
+
 TEST(TargetSight, is_dimmed_by_the_crown_that_it_stands_in) {
   const auto level = ground(false);
   const auto crowns = block_of({.crown_base_m = 0.0F, .crown_top_m = 50.0F, .crown_extinction_per_m = 0.1F});
