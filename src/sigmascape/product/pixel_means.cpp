@@ -21,11 +21,14 @@ constexpr double lines_a_pixel = 8.0;
 /// What covers less of a pixel only rounding sees.
 constexpr double least_cover = 1e-6;
 
-/// Sums over a pixel, which a float would be too coarse for beside a bright point.
-using Sums = std::array<double, Channels::count>;
+/// Of channels, and at last the area that was seen: over a pixel a float would be too coarse for them beside a bright
+/// point.
+using Sums = std::array<double, Channels::count + 1>;
+constexpr std::size_t area = Channels::count;
 
-Sums sums_of(const Channels& channels) {
-  return {channels.vv, channels.hh, channels.hv, channels.re_vvhh};
+/// Where the radar did not look or listen.
+bool is_unseen(const Channels& bin) {
+  return std::isnan(bin.vv) && std::isnan(bin.hh) && std::isnan(bin.hv);
 }
 
 void add(Sums& sums, const Sums& more, double times) {
@@ -33,7 +36,7 @@ void add(Sums& sums, const Sums& more, double times) {
 }
 
 /// σ0 times range, the cross-section per metre and radian, of the bins of one azimuth: linear between their centres,
-/// and integrated over range from the near edge on.
+/// σ0 held beside bins that were not seen, and integrated over range from the near edge on. Of area that is the range.
 class AlongRange {
  public:
   AlongRange(const radar::RangeAzimuthImage& image, std::size_t azimuth)
@@ -42,18 +45,23 @@ class AlongRange {
     density_.reserve(image.grid.ranges);
     before_centre_.reserve(image.grid.ranges);
     for (std::size_t range = 0; range < image.grid.ranges; ++range) {
+      const Channels& bin = image.rcs_m2(azimuth, range);
       Sums& density = density_.emplace_back();
-      add(density, sums_of(image.rcs_m2(azimuth, range)), per_bin);
+      if (!is_unseen(bin)) {
+        add(density, {bin.vv, bin.hh, bin.hv, bin.re_vvhh}, per_bin);
+        density[area] = centre_m(range);
+      }
       Sums& before = before_centre_.emplace_back();
       if (range == 0) {
         add(before, density, held(near_m_, centre_m(0), centre_m(0)));
       } else {
         before = before_centre_[range - 1];
-        add(before, density_[range - 1], 0.5 * step_m_);
-        add(before, density, 0.5 * step_m_);
+        add_between(before, range - 1, centre_m(range));
       }
     }
   }
+
+  [[nodiscard]] bool sees_nothing() const { return std::ranges::none_of(density_, is_of_seen); }
 
   [[nodiscard]] Sums up_to(double range_m) const {
     const std::size_t last = density_.size() - 1;
@@ -69,13 +77,28 @@ class AlongRange {
       add(sums, density_[last], held(centre_m(last), range_m, centre_m(last)));
       return sums;
     }
-    const double part = centres - static_cast<double>(index);
-    add(sums, density_[index], step_m_ * part * (1.0 - 0.5 * part));
-    add(sums, density_[index + 1], step_m_ * 0.5 * part * part);
+    add_between(sums, index, range_m);
     return sums;
   }
 
  private:
+  static bool is_of_seen(const Sums& density) { return density[area] > 0.0; }
+
+  /// From the centre of a bin to a range before that of the next.
+  void add_between(Sums& sums, std::size_t index, double range_m) const {
+    const Sums &near = density_[index], &far = density_[index + 1];
+    if (is_of_seen(near) && is_of_seen(far)) {
+      const double part = (range_m - centre_m(index)) / step_m_;
+      add(sums, near, step_m_ * part * (1.0 - 0.5 * part));
+      add(sums, far, step_m_ * 0.5 * part * part);
+      return;
+    }
+    // What was not seen brings nothing, whatever the length.
+    const double edge_m = centre_m(index) + 0.5 * step_m_;
+    add(sums, near, held(centre_m(index), std::min(range_m, edge_m), centre_m(index)));
+    if (range_m > edge_m) add(sums, far, held(edge_m, range_m, centre_m(index + 1)));
+  }
+
   [[nodiscard]] double centre_m(std::size_t range) const {
     return near_m_ + (static_cast<double>(range) + 0.5) * step_m_;
   }
@@ -114,8 +137,7 @@ class Crossings {
 /// What lines leave in the pixels that they cross.
 class PixelSums {
  public:
-  explicit PixelSums(const radar::GroundGrid& pixels)
-      : pixels_(pixels), sums_(pixels.columns, pixels.rows, Sums{}), area_m2_(pixels.columns, pixels.rows, 0.0) {}
+  explicit PixelSums(const radar::GroundGrid& pixels) : pixels_(pixels), sums_(pixels.columns, pixels.rows, Sums{}) {}
 
   /// Of a line that stands for a wedge of `width_rad`; `up_to` integrates over range, from anywhere on.
   template <typename UpTo>
@@ -135,7 +157,6 @@ class PixelSums {
       const Sums after = up_to(to_m);
       add(sums_(column, row), after, width_rad);
       add(sums_(column, row), before, -width_rad);
-      area_m2_(column, row) += 0.5 * (to_m * to_m - from_m * from_m) * width_rad;
       before = after;
       from_m = to_m;
     }
@@ -145,9 +166,9 @@ class PixelSums {
     constexpr float unseen = std::numeric_limits<float>::quiet_NaN();
     Array2D<Channels> means(pixels_.columns, pixels_.rows, {unseen, unseen, unseen, unseen});
     for (std::size_t i = 0; i < means.size(); ++i) {
-      const double area_m2 = area_m2_.values()[i];
-      if (area_m2 < least_cover * pixels_.cell_area_m2()) continue;
-      const auto mean = [&](std::size_t channel) { return static_cast<float>(sums_.values()[i][channel] / area_m2); };
+      const Sums& sums = sums_.values()[i];
+      if (sums[area] < least_cover * pixels_.cell_area_m2()) continue;
+      const auto mean = [&](std::size_t channel) { return static_cast<float>(sums[channel] / sums[area]); };
       means.values()[i] = {mean(0), mean(1), mean(2), mean(3)};
     }
     return means;
@@ -156,7 +177,6 @@ class PixelSums {
  private:
   radar::GroundGrid pixels_;
   Array2D<Sums> sums_;
-  Array2D<double> area_m2_;
 };
 
 /// The azimuth beside one, on the other side of the end of a whole turn; the same at the end of a sector.
@@ -181,7 +201,7 @@ Array2D<radar::Channels> pixel_means(const radar::RangeAzimuthImage& image, cons
   AlongRange before(image, beside(bins, 0, false)), here(image, 0);
   for (std::size_t azimuth = 0; azimuth < bins.azimuths; ++azimuth) {
     AlongRange after(image, beside(bins, azimuth, true));
-    for (std::size_t line = 0; line < lines; ++line) {
+    for (std::size_t line = 0; line < lines && !here.sees_nothing(); ++line) {
       const double place = (static_cast<double>(line) + 0.5) / static_cast<double>(lines) - 0.5;
       const double line_rad =
           bins.first_azimuth_rad + (static_cast<double>(azimuth) + 0.5 + place) * bins.azimuth_step_rad - up_rad;

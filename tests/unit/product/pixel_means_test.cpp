@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <gtest/gtest.h>
+#include <limits>
 
 #include "sigmascape/base/units.h"
 #include "sigmascape/base/vec.h"
@@ -63,6 +64,38 @@ TEST(PixelMeans, ABrightBinKeepsItsCrossSectionWhereverItLies) {
         image.rcs_m2(azimuth, range).vv = 0.0F;
       }
     }
+  }
+}
+
+// Bins before the opening of the gate and after its closing, and azimuths that the antenna never turned to.
+TEST(PixelMeans, BinsThatWereNotSeenDarkenNoOthers) {
+  constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+  for (const double range_step_m : {0.5, 40.0}) {
+    radar::RangeAzimuthImage image = empty_image(600.0, range_step_m, 1.0, 40.0);
+    fill_with(image, 0.25F);
+    const double opens_m = 680.0, closes_m = 960.0;
+    for (std::size_t range = 0; range < image.grid.ranges; ++range) {
+      const double range_m = 600.0 + (static_cast<double>(range) + 0.5) * range_step_m;
+      for (std::size_t azimuth = 0; azimuth < image.grid.azimuths; ++azimuth)
+        if (range_m < opens_m || range_m > closes_m || azimuth < 10)
+          image.rcs_m2(azimuth, range) = {nan, nan, nan, nan};
+    }
+    const radar::GroundGrid pixels = pixels_about(image, 5.0);
+    const auto sigma0 = pixel_means(image, pixels, 0.0);
+    double seen_m2 = 0.0;
+    for (std::size_t row = 0; row < pixels.rows; ++row) {
+      for (std::size_t column = 0; column < pixels.columns; ++column) {
+        const float here = sigma0(column, row).vv;
+        if (std::isnan(here)) continue;
+        seen_m2 += pixels.cell_area_m2();
+        ASSERT_NEAR(here, 0.25F, 1e-5F) << range_step_m;
+        const double range_m = length(pixels.centre_of(column, row));
+        ASSERT_GT(range_m, opens_m - 4.0);
+        ASSERT_LT(range_m, closes_m + 4.0);
+      }
+    }
+    const double sector_m2 = radians_from_deg(30.0) / 2.0 * (closes_m * closes_m - opens_m * opens_m);
+    EXPECT_NEAR(seen_m2, sector_m2, 5.0 * (2.0 * 300.0 + radians_from_deg(30.0) * (opens_m + closes_m)));
   }
 }
 
