@@ -86,9 +86,11 @@ class CellProbe {
     if (shadows_.hide(point)) return false;
     const Vec3d to_radar = normalized(radar - point);
     const Vec3f start = (point + to_radar * ray_lift_m - geometry_.origin()).to<float>();
+    // What stands behind a low radar, or above it, hides nothing.
+    const auto way_m = static_cast<float>(length(radar - point) - ray_lift_m);
     crowns_.begin(surfaces_);
-    return !geometry_.occluded(start, to_radar.to<float>(), crowns_) &&
-           std::exp(-crowns_.optical_depth()) >= static_cast<float>(crown_hides_below);
+    return !geometry_.occluded(start, to_radar.to<float>(), crowns_, way_m) &&
+           std::exp(-crowns_.optical_depth(way_m)) >= static_cast<float>(crown_hides_below);
   }
 
   Top seen_from_above(const LayerPlace& place) {
@@ -118,7 +120,9 @@ class CellProbe {
     const double distance_m = length(away), range_m = length(ground - radar);
     if (distance_m == 0.0) return false;
     const Vec2d outwards = away * (1.0 / distance_m);
-    const double lowest = std::asin(std::min(1.0, (radar.z - geometry_.highest_m() - arc_clearance_m) / range_m));
+    // Of a low radar the arc may end overhead, below the highest thing.
+    const double lowest =
+        std::asin(std::clamp((radar.z - geometry_.highest_m() - arc_clearance_m) / range_m, -1.0, 1.0));
     const double first = std::atan2(radar.z - ground.z, distance_m) - own_m / range_m;
     const double step = std::sqrt(8.0 * bulge_cells * cell_m_ / range_m);
     const auto at = [&](double depression) {

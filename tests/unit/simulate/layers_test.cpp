@@ -21,12 +21,16 @@ constexpr double cell_m = 1.0;
 constexpr float height_m = 20.0F, depth_m = 12.0F, width_m = 40.0F;
 const radar::GroundGrid narrow_grid{-4.0, 160.0, cell_m, 8, 220};
 
-/// A box whose near side stands at y = 0, on level ground.
-scene::Scene box_scene() {
+/// A box so high, whose near side stands at y = 0, on level ground.
+scene::Scene tower_scene(float tall_m) {
   scene::Scene scene = physics_test::level_scene(lambert("ground", 0.5), 512.0);
-  scene.prototypes.push_back(scene::box_mesh({width_m, depth_m, height_m}, scene.material_index(lambert("box", 0.5))));
+  scene.prototypes.push_back(scene::box_mesh({width_m, depth_m, tall_m}, scene.material_index(lambert("box", 0.5))));
   scene.instances.push_back({.y_m = depth_m / 2.0F});
   return scene;
+}
+
+scene::Scene box_scene() {
+  return tower_scene(height_m);
 }
 
 constexpr double foot_m = 16.0;
@@ -275,6 +279,22 @@ TEST_P(Layers, OfAStripHaveTheShadowsOfTargetsAsItsBeamPasses) {
   EXPECT_NEAR(shadow.north_m, -200.0 + 212.0 * 120.0 / 100.0, cell_m);
 }
 
+/// 5 m above the ground.
+radar::Radar low_radar_at(double north_m) {
+  radar::Radar radar;
+  radar.position = {0.0, north_m, 5.0};
+  return radar;
+}
+
+// The line of sight ends at the radar.
+TEST_P(Layers, WhatStandsBehindALowRadarNeitherHidesNorLiesOver) {
+  const radar::GroundGrid beyond{-4.0, 160.0, cell_m, 8, 110};
+  const auto stack =
+      layers_of(GetParam(), tower_scene(60.0F), low_radar_at(40.0), {LayerKind::Shadow, LayerKind::Layover}, beyond);
+  EXPECT_EQ(set_cells(stack.layers[0].values), 0U);
+  EXPECT_EQ(set_cells(stack.layers[1].values), 0U);
+}
+
 TEST_P(Layers, AreTheSameForAnyThreads) {
   const std::vector<LayerKind> kinds{LayerKind::Shadow, LayerKind::Layover, LayerKind::Height};
   const auto one = layers_of(GetParam(), box_scene(), radar_in_the_south(20.0), kinds, narrow_grid, 1);
@@ -297,6 +317,15 @@ TEST(TracedLayers, ALeafSmallerThanACellLiesOverIt) {
   EXPECT_EQ(set_cells(stack.layers[0].values), 1U);
   // Column 4 begins at x = 0, row 169 ends at y = −10.
   EXPECT_EQ(stack.layers[0].values(4, 169), 1.0F);
+}
+
+// 10 m before a wall of 60 m that it stands far below, and nearer to the ground than to the wall's top.
+TEST(TracedLayers, AWallLiesOverAsFarAsItsTopIsFromALowRadar) {
+  const auto stack = layers_of(Way::Traced, tower_scene(60.0F), low_radar_at(-10.0), {LayerKind::Layover});
+  const Stretch layover = stretch_of(stack.layers[0].values);
+  const auto ground_m = [](double range_m) { return std::sqrt(range_m * range_m - 25.0) - 10.0; };
+  EXPECT_NEAR(layover.south_m, ground_m(10.0), cell_m);
+  EXPECT_NEAR(layover.north_m, ground_m(std::hypot(10.0, 55.0)), cell_m);
 }
 
 // Leaves between 10 and 12 m above four metres of ground, seen from 45°: each lies over the ground as far before it as
