@@ -44,14 +44,14 @@ std::vector<Vec2d> places_at_edge(const radar::Rectangle& area, Vec2d foot) {
 }  // namespace
 
 radar::Rectangle answering_ground(const radar::Radar& radar, const radar::Rectangle& area,
-                                  const radar::Rectangle& extent) {
+                                  const radar::Rectangle& extent, double lowest_ground_m) {
   const double reach_rad = reach_of_beam_rad(radar);
   const Vec2d foot{radar.position.x, radar.position.y};
   radar::Rectangle answering = area;
   for (const Vec2d place : places_at_edge(area, foot)) {
     const Vec2d away = place - foot;
     const double distance_m = length(away);
-    const double height_m = radar.position.z, range_m = std::hypot(distance_m, height_m),
+    const double height_m = radar.position.z - lowest_ground_m, range_m = std::hypot(distance_m, height_m),
                  spare_m = range_resolutions_beside * radar.range_resolution_m;
     const auto ground_m = [height_m](double of_range_m) {
       return radar::distance_of_range_m(radar::CurvedEarth::flat(), height_m, 0.0, std::max(of_range_m, 0.0));

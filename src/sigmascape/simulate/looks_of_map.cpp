@@ -53,7 +53,7 @@ std::vector<std::size_t> azimuths_about(const std::vector<double>& axis, const r
 
 atlas::AspectSelection looks_of_map(const atlas::AspectGrid& baked, const radar::Radar& radar,
                                     const radar::Rectangle& area, const terrain::HeightField& terrain) {
-  const radar::Rectangle answering = answering_ground(radar, area, terrain.extent());
+  const radar::Rectangle answering = answering_ground(radar, area, terrain.extent(), terrain.lowest_m());
   const Vec2d foot{radar.position.x, radar.position.y};
   const double near_m = radar::nearest_m(answering, foot), far_m = radar::farthest_m(answering, foot);
   const double above_highest_m = radar.position.z - static_cast<double>(terrain.highest_m());

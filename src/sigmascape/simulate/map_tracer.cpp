@@ -56,10 +56,11 @@ MapTracer::MapTracer(const scene::Scene& scene, const trace::SceneGeometry& geom
       geometry_(geometry),
       radar_(radar),
       settings_(settings),
-      launch_(launch_for_map(scene, geometry, radar, answering_ground(radar, area, scene.extent), settings.cell_m)),
+      launch_(launch_for_map(scene, geometry, radar,
+                             answering_ground(radar, area, scene.extent, scene.terrain.lowest_m()), settings.cell_m)),
       bins_(bins_for(radar, area, scene.terrain)),
       surfaces_(trace::surface_models(scene, radar.frequency_hz)) {
-  radar::require_scanned(radar, area);
+  if (radar.mode == radar::Mode::RealBeam) radar::require_scanned(radar, area);
   for (std::size_t order = 0; order < orders; ++order)
     receivers_.push_back(std::make_unique<receiver::RangeAzimuthReceiver>(radar_, bins_));
 }

@@ -54,7 +54,7 @@ radar::RangeAzimuthImage baked_image(const atlas::Atlas& atlas, const terrain::H
                                      std::uint64_t dwell) {
   check_above(radar, terrain.highest_m());
   radar::require_scanned(radar, area);
-  const radar::Rectangle answering = answering_ground(radar, area, terrain.extent());
+  const radar::Rectangle answering = answering_ground(radar, area, terrain.extent(), terrain.lowest_m());
   auto image =
       render::GroundRenderer(atlas, terrain).render(radar, answering, bins_for(radar, area, terrain), settings, counts);
   if (settings.targets.empty()) return image;

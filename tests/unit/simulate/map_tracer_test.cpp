@@ -60,6 +60,27 @@ TEST(MapTracer, ARadarHardlyAboveTheSceneIsRefused) {
   EXPECT_THAT(fault_from(0.5), ::testing::HasSubstr("and the highest point of the scene at 70.0 m; place"));
 }
 
+// A spotlight is steered to its aim, a strip points abeam: neither scans.
+TEST(MapTracer, OnlyARealBeamHasToScanWhatIsMapped) {
+  const scatter::Material ground{.name = "ground", .model = scatter::LambertParameters{0.5, {0.0, 1.0}}, .source = {}};
+  const scene::Scene scene = physics_test::level_scene(ground, 128.0);
+  const trace::SceneGeometry geometry(scene, trace::Footing::Terrain);
+  radar::Radar radar;
+  radar.position = radar::position_seeing({}, pi, radians_from_deg(30.0), 20e3);
+  radar.range_resolution_m = 3.0;
+  radar.beam_width_rad = 3.0 / 20e3;
+  radar.scan = {.kind = radar::ScanKind::Fixed, .azimuth_rad = pi / 2.0};
+  const auto fault_of = [&](radar::Mode mode) {
+    radar.mode = mode;
+    return message_of_error([&] {
+      static_cast<void>(MapTracer(scene, geometry, radar, {-30.0, -30.0, 30.0, 30.0}, {.cell_m = 2.0, .threads = 1}));
+    });
+  };
+  EXPECT_THAT(fault_of(radar::Mode::RealBeam), ::testing::HasSubstr("never points to what is to be mapped"));
+  EXPECT_EQ(fault_of(radar::Mode::Spotlight), "");
+  EXPECT_EQ(fault_of(radar::Mode::Stripmap), "");
+}
+
 // Past the mast's top rays come down millions of kilometres behind, and meet nothing of it where paths to the map
 // begin.
 TEST(MapTracer, WhatIsHighElsewhereIsNotAimedPast) {
