@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <fmt/format.h>
+#include <optional>
 
 #include "sigmascape/base/error.h"
 #include "sigmascape/base/units.h"
@@ -22,17 +23,21 @@ std::size_t odd(double at_least) {
 }
 
 /// What is wrong with a gate that ends before it begins. The radar file may have set one end, and what is mapped the
-/// other: then the file's key is named.
+/// other: then the file's key is named, and slant ranges as it states them.
 Error empty_gate(const radar::Radar& radar, const RangeGate& gate) {
   const auto of_file = [&](const char* key) { return fmt::format("{}: receiver.{}", radar::title_of(radar), key); };
-  const double first_km = gate.first_range_m / 1e3, last_km = gate.last_range_m / 1e3;
-  if (radar.receiver.first_range_m == gate.first_range_m) {
+  const double first_km = gate.first_range_m / gate.over_slant / 1e3,
+               last_km = gate.last_range_m / gate.over_slant / 1e3;
+  const auto is_stated = [&](const std::optional<double>& slant_m, double range_m) {
+    return slant_m && *slant_m * gate.over_slant == range_m;
+  };
+  if (is_stated(radar.receiver.first_range_m, gate.first_range_m)) {
     return Error(
         of_file("first_range_km"),
         fmt::format("opens the range gate at {:.6g} km, and what is mapped ends at {:.6g} km", first_km, last_km),
         "open it nearer, or map what lies farther away");
   }
-  if (radar.receiver.last_range_m == gate.last_range_m) {
+  if (is_stated(radar.receiver.last_range_m, gate.last_range_m)) {
     return Error(
         of_file("last_range_km"),
         fmt::format("closes the range gate at {:.6g} km, and what is mapped begins at {:.6g} km", last_km, first_km),

@@ -7,11 +7,12 @@
 
 namespace sigmascape::receiver {
 
-/// Of what slant ranges samples are taken, and how densely.
+/// Of what ranges samples are taken, and how densely.
 struct RangeGate {
   double first_range_m = 0.0;
   double last_range_m = 0.0;
   double oversampling = 1.2;  ///< samples a resolution c/2B, at least 1; a little more where that transforms fast
+  double over_slant = 1.0;    ///< these ranges over slant ranges: 1, or the cosine of the squint of a strip
 };
 
 /// The gate as an axis of responses, with room at both ends for side lobes that reach into it from outside.

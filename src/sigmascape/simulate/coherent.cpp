@@ -118,7 +118,7 @@ receiver::RangeGate gate_over(const radar::Radar& radar, std::array<double, 2> r
   const double spare_m = 2.0 * radar.range_resolution_m;
   const auto &first_m = radar.receiver.first_range_m, &last_m = radar.receiver.last_range_m;
   return {first_m ? *first_m * over_slant : std::max(0.0, ranges_m[0] - spare_m),
-          last_m ? *last_m * over_slant : ranges_m[1] + spare_m, oversampling};
+          last_m ? *last_m * over_slant : ranges_m[1] + spare_m, oversampling, over_slant};
 }
 
 /// A place of the antenna, at the height of what is as high as it where the area is nearest to it.

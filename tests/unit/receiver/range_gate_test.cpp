@@ -1,5 +1,6 @@
 #include "sigmascape/receiver/range_gate.h"
 
+#include <cmath>
 #include <gtest/gtest.h>
 
 #include "scratch_folder.h"
@@ -17,6 +18,10 @@ TEST(RangeGate, ThatIsEmptyNamesTheKeyThatMakesItSo) {
   radar.name = "scout";
   radar.receiver.first_range_m = 20e3;
   EXPECT_EQ(fault_of(radar, {20e3, 8305.66}),
+            "radar scout: receiver.first_range_km: opens the range gate at 20 km, and what is mapped ends at 8.30566 "
+            "km; open it nearer, or map what lies farther away");
+  const double squinted = std::cos(0.1);
+  EXPECT_EQ(fault_of(radar, {20e3 * squinted, 8305.66 * squinted, 1.2, squinted}),
             "radar scout: receiver.first_range_km: opens the range gate at 20 km, and what is mapped ends at 8.30566 "
             "km; open it nearer, or map what lies farther away");
   radar.receiver.first_range_m.reset();
