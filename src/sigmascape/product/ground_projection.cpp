@@ -32,6 +32,7 @@ radar::Channels bins_at(const Array2D<radar::Channels>& bins, bool goes_round, d
 struct SeenBins {
   const radar::RangeAzimuthGrid& grid;
   Vec3d radar_position;
+  radar::CurvedEarth earth;
   const Array2D<radar::Channels>& bins;
 };
 
@@ -46,7 +47,8 @@ Array2D<radar::Channels> laid_on_cells(const SeenBins& seen, const terrain::Heig
   parallel_for(grid.rows, threads, [&](std::size_t row, unsigned) {
     for (std::size_t column = 0; column < grid.columns; ++column) {
       const Vec2d point = grid.centre_of(column, row);
-      const Vec3d away = Vec3d{point.x, point.y, terrain.height_at(point)} - seen.radar_position;
+      const Vec2d foot{seen.radar_position.x, seen.radar_position.y};
+      const Vec3d away = seen.earth.bent({point.x, point.y, terrain.height_at(point)}, foot) - seen.radar_position;
       const double range_m = length(away);
       const double azimuth = middle + turned_by_least(std::atan2(away.x, away.y) - middle);
       const radar::Channels here =
@@ -61,21 +63,23 @@ Array2D<radar::Channels> laid_on_cells(const SeenBins& seen, const terrain::Heig
 }  // namespace
 
 radar::GroundMap ground_map(const radar::RangeAzimuthImage& image, const terrain::HeightField& terrain,
-                            const radar::GroundGrid& grid, unsigned threads) {
+                            const radar::GroundGrid& grid, unsigned threads, const radar::CurvedEarth& earth) {
   const auto over_area = [&](double range_m) {
     return 1.0 / (range_m * image.grid.range_step_m * image.grid.azimuth_step_rad);
   };
   return {.grid = grid,
-          .sigma0 = laid_on_cells({image.grid, image.radar_position, image.rcs_m2}, terrain, grid, threads, over_area),
+          .sigma0 =
+              laid_on_cells({image.grid, image.radar_position, earth, image.rcs_m2}, terrain, grid, threads, over_area),
           .crs = {},
           .metadata = {}};
 }
 
 radar::PowerMap power_map(const radar::ReceivedImage& image, const terrain::HeightField& terrain,
-                          const radar::GroundGrid& grid, unsigned threads) {
+                          const radar::GroundGrid& grid, unsigned threads, const radar::CurvedEarth& earth) {
   const auto as_it_is = [](double) { return 1.0; };
   return {.grid = grid,
-          .power_w = laid_on_cells({image.grid, image.radar_position, image.power_w}, terrain, grid, threads, as_it_is),
+          .power_w =
+              laid_on_cells({image.grid, image.radar_position, earth, image.power_w}, terrain, grid, threads, as_it_is),
           .noise_w = image.noise_w,
           .crs = {},
           .metadata = {}};

@@ -8,8 +8,9 @@
 
 namespace sigmascape::render {
 
-/// A frame as the image that pictures, scopes and ground maps are made from: powers as they are, of amplitudes their
-/// squares. Its radar is where the beam was drawn from that was drawn last. Throws Error as `check_holds` does.
+/// A frame as the image that pictures, scopes and ground maps (product::ground_map, over Frame::earth) are made from:
+/// powers as they are, of amplitudes their squares. Its radar is where the beam was drawn from that was drawn last.
+/// Throws Error as `check_holds` does.
 [[nodiscard]] radar::RangeAzimuthImage image_of(const Frame& frame);
 
 /// The same as a radar hears it, with its compressed pulse and its beam laid over the bins, by the responses of offline

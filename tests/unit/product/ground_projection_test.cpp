@@ -28,8 +28,9 @@ radar::RangeAzimuthImage empty_about_origin(Vec3d position, double half_side_m, 
 }
 
 /// Adds a scatterer, shared between the four nearest bins.
-void add_point(radar::RangeAzimuthImage& image, Vec3d point, float rcs_m2) {
-  const Vec3d away = point - image.radar_position;
+void add_point(radar::RangeAzimuthImage& image, Vec3d point, float rcs_m2,
+               const radar::CurvedEarth& earth = radar::CurvedEarth::flat()) {
+  const Vec3d away = earth.bent(point, {image.radar_position.x, image.radar_position.y}) - image.radar_position;
   const auto& grid = image.grid;
   const double middle = grid.first_azimuth_rad + 0.5 * static_cast<double>(grid.azimuths) * grid.azimuth_step_rad;
   const double azimuth = middle + std::remainder(std::atan2(away.x, away.y) - middle, 2.0 * pi);
@@ -82,6 +83,31 @@ TEST(GroundMap, PointsComeBackAtTheirPlaceOnFlatAndSlopingGround) {
       }
     }
   }
+}
+
+// Bins of a live frame hold ranges over an Earth that curves: from 10 km up and 100 km away it lies 590 m lower, 58 m
+// farther.
+TEST(GroundMap, PointsComeBackAtTheirPlaceOverACurvedEarth) {
+  const radar::GroundGrid grid{.west_m = -80, .north_m = 80, .cell_m = 1.0, .columns = 160, .rows = 160};
+  const radar::CurvedEarth earth;
+  const Vec3d position{0.0, -100e3, 10e3};
+  auto image = empty_about_origin(position, 100.0, 0.5);
+  add_point(image, {20.3, 3.2, 0.0}, 1.0F, earth);
+  const auto brightest_of = [&](const radar::GroundMap& map) {
+    std::size_t brightest = 0;
+    float most = 0.0F;
+    for (std::size_t cell = 0; cell < map.sigma0.size(); ++cell) {
+      if (map.sigma0.values()[cell].vv > most) {
+        most = map.sigma0.values()[cell].vv;
+        brightest = cell;
+      }
+    }
+    return grid.centre_of(brightest % grid.columns, brightest / grid.columns);
+  };
+  const Vec2d found = brightest_of(ground_map(image, plane(0, 0), grid, 1, earth));
+  EXPECT_NEAR(found.x, 20.3, 1.0);
+  EXPECT_NEAR(found.y, 3.2, 1.0);
+  EXPECT_NEAR(brightest_of(ground_map(image, plane(0, 0), grid)).y, 3.2 + 58.0, 2.0);
 }
 
 // Small pieces of ground of equal σ0, summed into bins as a receiver does, are that σ0 on the map.
