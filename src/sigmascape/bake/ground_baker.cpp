@@ -17,37 +17,41 @@
 #include "sigmascape/bake/claims.h"
 #include "sigmascape/bake/ground_elevations.h"
 #include "sigmascape/bake/job.h"
+#include "sigmascape/bake/job_share.h"
 #include "sigmascape/base/units.h"
 #include "sigmascape/geo/atomic_file.h"
 #include "sigmascape/scatter/surface_sigma0.h"
 #include "sigmascape/scene/obstacle_raster.h"
-#include "sigmascape/trace/path_tracer.h"
 
 namespace sigmascape::bake {
 namespace {
 
-/// σ0 of every material, lying level.
-std::vector<radar::Channels> sigma0_of(const scene::Scene& scene, const atlas::AtlasDescription& description,
-                                       atlas::LookIndex index) {
-  const radar::Look look = description.aspects.look(index);
+/// σ0 of each of the materials, lying level.
+std::vector<radar::Channels> sigma0_of(const scene::Scene& scene, const std::vector<scene::MaterialIndex>& materials,
+                                       const radar::Look& look) {
   std::vector<radar::Channels> sigma0;
-  for (const scatter::SurfaceModel& surface : trace::surface_models(scene, look.frequency_hz))
+  for (const scene::MaterialIndex material : materials) {
+    const scatter::SurfaceModel surface(scene.materials[material], look.frequency_hz);
     sigma0.push_back(scatter::surface_sigma0(surface, look.aspect.elevation_rad));
+  }
   return sigma0;
 }
 
-/// What part of each texel is made of each material: [texel, material].
-std::vector<float> shares_of(const scene::MaterialMap& ground, std::size_t materials, const radar::GroundGrid& texels) {
+/// What part of each texel is made of each of the materials that lie on the ground: [texel, material].
+std::vector<float> shares_of(const scene::MaterialMap& ground, const std::vector<scene::MaterialIndex>& materials,
+                             const radar::GroundGrid& texels) {
+  std::vector<std::size_t> place(std::size_t{materials.back()} + 1);  // of a material among them
+  for (std::size_t i = 0; i < materials.size(); ++i) place[materials[i]] = i;
   // A point a material cell, but no more than tell a share to a few percent.
   const auto points = static_cast<std::size_t>(std::clamp(std::ceil(texels.cell_m / ground.grid.cell_m), 1.0, 8.0));
   const double spacing_m = texels.cell_m / static_cast<double>(points);
   const float share = 1.0F / static_cast<float>(points * points);
-  std::vector<float> shares(texels.columns * texels.rows * materials, 0.0F);
+  std::vector<float> shares(texels.columns * texels.rows * materials.size(), 0.0F);
   for (std::size_t j = 0; j < texels.rows * points; ++j) {
     for (std::size_t i = 0; i < texels.columns * points; ++i) {
       const Vec2d point{texels.west_m + (static_cast<double>(i) + 0.5) * spacing_m,
                         texels.north_m - (static_cast<double>(j) + 0.5) * spacing_m};
-      shares[(j / points * texels.columns + i / points) * materials + ground.at(point)] += share;
+      shares[(j / points * texels.columns + i / points) * materials.size() + place[ground.at(point)]] += share;
     }
   }
   return shares;
@@ -82,6 +86,7 @@ class GroundRun {
         shard_(shard),
         scrutiny_(scrutiny),
         progress_(progress),
+        materials_(scene.ground.materials_laid()),
         ground_(atlas::create_ground_store(store, ground_elevations_rad(scene, store.description().aspects), &mended_)),
         looks_(static_cast<atlas::LookIndex>(ground_.description().aspects.look_count())),
         sigma0_(looks_) {}
@@ -97,11 +102,13 @@ class GroundRun {
  private:
   void bake_patches() {
     const Claims claims(store_.folder());
-    const std::size_t first_claim = JobList(store_.description()).size();
-    const atlas::PatchBlock patches = ground_.description().patches.block_over(ground_.description().extent);
+    const JobList jobs(store_.description());
+    const std::size_t first_claim = jobs.size();
+    const atlas::PatchBlock& patches = jobs.patches();
+    const JobShare share(jobs, shard_);
     std::vector<std::size_t> numbers;
     for (std::size_t number = 0; number < patches.size(); ++number) {
-      if (shard_.has(number)) numbers.push_back(number);
+      if (share.has_patch(number)) numbers.push_back(number);
     }
     const auto tell = [&] {
       progress_.advanced("ground", static_cast<double>(patches_.size()), static_cast<double>(numbers.size()),
@@ -141,8 +148,8 @@ class GroundRun {
     for (atlas::LookIndex index = 0; index < looks_; ++index) {
       auto fault = atlas::texture_fault(ground_, ground_.texture_path(patch, index), scrutiny_);
       if (!fault) continue;
-      if (sigma0_[index].empty()) sigma0_[index] = sigma0_of(scene_, description, index);
-      if (shares.empty()) shares = shares_of(scene_.ground, scene_.materials.size(), texels);
+      if (sigma0_[index].empty()) sigma0_[index] = sigma0_of(scene_, materials_, description.aspects.look(index));
+      if (shares.empty()) shares = shares_of(scene_.ground, materials_, texels);
       ground_.write(patch, index, mixed(shares, sigma0_[index], texels),
                     {.seed = 0, .samples_per_texel = 0, .simd = "none", .counts = {}});
       note(std::move(*fault), folder());
@@ -188,6 +195,7 @@ class GroundRun {
   atlas::Scrutiny scrutiny_;
   ProgressListener& progress_;
   std::vector<atlas::StoreFault> mended_;
+  std::vector<scene::MaterialIndex> materials_;  // that lie on the ground
   atlas::Store ground_;
   atlas::LookIndex looks_;
   std::vector<std::vector<radar::Channels>> sigma0_;  // [look][material], of looks that something lacks

@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <set>
 #include <string>
 
 #include "sigmascape/atlas/texture_name.h"
@@ -47,9 +46,8 @@ using Curve = std::vector<radar::Channels>;
 
 std::vector<Curve> curves_of_ground(const scene::Scene& scene, const std::vector<double>& frequencies_hz,
                                     const std::vector<Candidate>& candidates) {
-  const auto& laid = scene.ground.material.values();
   std::vector<Curve> curves;
-  for (const scene::MaterialIndex material : std::set(laid.begin(), laid.end())) {
+  for (const scene::MaterialIndex material : scene.ground.materials_laid()) {
     for (const double frequency_hz : frequencies_hz) {
       const scatter::SurfaceModel surface(scene.materials[material], frequency_hz);
       Curve& curve = curves.emplace_back();

@@ -44,8 +44,12 @@ JobShare::JobShare(const JobList& jobs, const Shard& shard)
       step_(has_whole_patches_ ? step_of(shard.count) : 0) {}
 
 bool JobShare::has(std::size_t job) const {
-  if (!has_whole_patches_) return shard_.has(job);
-  const std::size_t patch = job / aspects_, column = patch % columns_, row = patch / columns_;
+  return has_whole_patches_ ? has_patch(job / aspects_) : shard_.has(job);
+}
+
+bool JobShare::has_patch(std::size_t patch) const {
+  if (!has_whole_patches_) return shard_.has(patch);
+  const std::size_t column = patch % columns_, row = patch / columns_;
   return (column + row * step_) % shard_.count == shard_.index;
 }
 

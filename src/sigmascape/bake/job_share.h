@@ -17,6 +17,9 @@ class JobShare {
   JobShare(const JobList& jobs, const Shard& shard);
 
   [[nodiscard]] bool has(std::size_t job) const;
+  /// Whether what is made once for a patch, such as its ground, falls to the share: with the patch's looks where each
+  /// is whole, else every so many.
+  [[nodiscard]] bool has_patch(std::size_t patch) const;
   [[nodiscard]] bool has_whole_patches() const { return has_whole_patches_; }
 
  private:

@@ -205,6 +205,8 @@ std::vector<BakedLook> LookBaker::bake(const radar::GroundGrid& texels, const tr
     tiles.tile_done(worker);
   });
 
+  double samples = 0.0;
+  for (const TileSampler& sampler : samplers) samples += sampler.samples_of_whole_cells();
   std::vector<BakedLook> looks;
   const Array2D<float> gains = has_relief ? terrain_gains(texels, sums, aspect) : Array2D<float>();
   for (const PatchSums& of_frequency : sums) {
@@ -218,7 +220,7 @@ std::vector<BakedLook> LookBaker::bake(const radar::GroundGrid& texels, const tr
     if (of_frequency.several) put_shared(texels_of(*of_frequency.several, gains), settings_.threads, all);
     BakedLook& look = looks.emplace_back(baked(std::move(all)));
     if (of_frequency.buildings) look.buildings = baked(texels_of(*of_frequency.buildings, gains));
-    look.samples_per_texel = area.cells.empty() ? 0.0 : static_cast<double>(counts.paths) / area.whole_cells();
+    look.samples_per_texel = area.cells.empty() ? 0.0 : samples / area.whole_cells();
   }
   looks.front().counts = counts;
   return looks;

@@ -6,6 +6,7 @@
 
 #include "sigmascape/base/error.h"
 #include "sigmascape/base/machine_memory.h"
+#include "sigmascape/radar/channels.h"
 #include "sigmascape/radar/rectangle_parts.h"
 #include "sigmascape/receiver/ground_accumulator.h"
 #include "sigmascape/scene/obstacle_raster.h"
@@ -57,7 +58,10 @@ double bytes_of_texels(const scene::Scene& scene, const BakeSettings& settings) 
   const std::size_t side = settings.patches.texels_per_side;
   const double of_obstacles = scene::obstacle_raster_bytes({0.0, 0.0, settings.patches.texel_m, side, side});
   const double of_looks = texels * static_cast<double>(settings.aspects.frequencies_hz.size()) * sums * of_sums;
-  const double of_ground = settings.shadows == Shadows::RunTime ? of_obstacles : 0.0;
+  // The parts of a texel that are of each material, and what they return together.
+  const double of_mixture =
+      texels * static_cast<double>(scene.ground.materials_laid().size() * sizeof(float) + sizeof(radar::Channels));
+  const double of_ground = settings.shadows == Shadows::RunTime ? std::max(of_obstacles, of_mixture) : 0.0;
   return std::max(of_looks + (has_relief ? of_obstacles : 0.0), of_ground);
 }
 

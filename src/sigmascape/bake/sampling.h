@@ -13,7 +13,8 @@ namespace sigmascape::bake {
 /// are needed. A cell's own pilots have no say in its number, so that the mean over its rays stays unbiased
 /// (docs/decisions/0015-adaptive-sampling.md).
 struct Sampling {
-  /// Rays a cell, everywhere the same; 0: adaptive, by what follows.
+  /// Rays a cell, everywhere the same but where the launch spares rays (trace::LaunchCell::share); 0: adaptive, by what
+  /// follows.
   std::uint32_t samples_per_texel = 0;
   /// Relative standard error of the power that a cell returns which is aimed at.
   double target_db = 0.4;

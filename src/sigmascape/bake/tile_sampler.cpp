@@ -41,15 +41,19 @@ void TileSampler::sample(trace::TilePaths& tile, double cell_area_m2) {
   const auto cells = tile.cells();
   samples_.clear();
   if (!sampling_.is_adaptive()) {
-    for (const trace::LaunchCell& cell : cells)
-      samples_.push_back(spared(sampling_.samples_per_texel, cell, fewest_samples));
+    for (const trace::LaunchCell& cell : cells) give(cell, sampling_.samples_per_texel, fewest_samples);
     trace_cells(tile, 0);
     return;
   }
   trace_pilots(tile);
   for (std::size_t cell = 0; cell < cells.size(); ++cell)
-    samples_.push_back(spared(samples_needed(cells, cell, cell_area_m2), cells[cell], pilot_samples));
+    give(cells[cell], samples_needed(cells, cell, cell_area_m2), pilot_samples);
   trace_cells(tile, pilot_samples);
+}
+
+void TileSampler::give(const trace::LaunchCell& cell, std::uint32_t samples, std::uint32_t fewest) {
+  samples_.push_back(spared(samples, cell, fewest));
+  samples_of_whole_cells_ += static_cast<double>(samples) * static_cast<double>(cell.share);
 }
 
 TileSampler::Brought TileSampler::keep_landed(const trace::TilePaths& tile, std::size_t frequency, std::size_t start,

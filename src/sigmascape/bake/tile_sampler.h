@@ -24,6 +24,10 @@ class TileSampler {
 
   void sample(trace::TilePaths& tile, double cell_area_m2);
 
+  /// The rays that the cells so far were found to need, each for as much as its share. Cells of a small share get a few
+  /// more than their part, for two or the pilots are the fewest; those are not in it.
+  [[nodiscard]] double samples_of_whole_cells() const { return samples_of_whole_cells_; }
+
  private:
   /// What the pilots of a cell say of the power of one sample, all texels together: of all of it, and how that varies
   /// which goes into the textures.
@@ -42,6 +46,8 @@ class TileSampler {
     std::size_t end = 0;
   };
 
+  /// Notes what a cell gets of a number of samples.
+  void give(const trace::LaunchCell& cell, std::uint32_t samples, std::uint32_t fewest);
   void trace_pilots(trace::TilePaths& tile);
   void note_pilots(const trace::TilePaths& tile, std::size_t frequency, std::size_t cell);
   [[nodiscard]] std::uint32_t samples_needed(std::span<const trace::LaunchCell> cells, std::size_t cell,
@@ -65,6 +71,7 @@ class TileSampler {
   double target_;                                     // relative standard error
   double floor_;                                      // σ0
   std::vector<std::uint32_t> samples_;                // [cell]: how many
+  double samples_of_whole_cells_ = 0.0;               // shares are powers of two: the same sum in any order
   std::vector<trace::PathStart> starts_;              // asked for
   Range followed_;                                    // of these last
   std::vector<std::vector<Pilot>> pilots_;            // [frequency][cell]

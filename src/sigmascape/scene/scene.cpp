@@ -1,6 +1,7 @@
 #include "sigmascape/scene/scene.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -107,6 +108,16 @@ MaterialIndex MaterialMap::at(Vec2d point) const {
   const auto column = static_cast<std::size_t>(std::clamp(cells.x, 0.0, static_cast<double>(grid.columns) - 0.5));
   const auto row = static_cast<std::size_t>(std::clamp(cells.y, 0.0, static_cast<double>(grid.rows) - 0.5));
   return material(column, row);
+}
+
+std::vector<MaterialIndex> MaterialMap::materials_laid() const {
+  std::array<bool, std::numeric_limits<MaterialIndex>::max() + 1> is_laid{};
+  for (const MaterialIndex laid : material.values()) is_laid[laid] = true;
+  std::vector<MaterialIndex> materials;
+  for (std::size_t index = 0; index < is_laid.size(); ++index) {
+    if (is_laid[index]) materials.push_back(static_cast<MaterialIndex>(index));
+  }
+  return materials;
 }
 
 MaterialIndex Scene::material_index(const scatter::Material& material) {

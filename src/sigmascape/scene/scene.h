@@ -29,6 +29,8 @@ struct MaterialMap {
 
   /// The material under a point; outside the map that of the nearest edge.
   [[nodiscard]] MaterialIndex at(Vec2d point) const;
+  /// Those that lie anywhere on it, ascending.
+  [[nodiscard]] std::vector<MaterialIndex> materials_laid() const;
 };
 
 /// A surface of triangles, each of one material. Both sides scatter.
@@ -61,7 +63,7 @@ struct Crown {
 };
 
 /// One placement of a prototype (a tree, a vehicle, a tower). Its origin stands on the ground, wherever that is: on the
-/// terrain in a live scene, on the plane z = 0 in a bake.
+/// terrain, or on the plane z = 0 where a bake is told to take the ground as level.
 struct Instance {
   std::uint32_t prototype = 0;
   float x_m = 0.0F, y_m = 0.0F;

@@ -53,6 +53,23 @@ TEST(JobShare, OfManyPatchesEachIsWhole) {
   }
 }
 
+TEST(JobShare, EveryPatchIsInOneShareAndWithItsLooksWhereThoseAreTogether) {
+  const JobList jobs = jobs_of(13, 21);
+  for (const std::size_t shares : {1U, 2U, 5U, 6U, 40U}) {
+    std::vector<std::size_t> owners(jobs.patches().size(), 0);
+    for (std::size_t index = 0; index < shares; ++index) {
+      const JobShare share(jobs, {index, shares});
+      for (std::size_t patch = 0; patch < owners.size(); ++patch) {
+        owners[patch] += share.has_patch(patch) ? 1 : 0;
+        if (share.has_whole_patches()) {
+          ASSERT_EQ(share.has_patch(patch), share.has(patch * aspects)) << patch << " of " << shares;
+        }
+      }
+    }
+    EXPECT_EQ(std::ranges::count(owners, 1U), std::ssize(owners)) << shares;
+  }
+}
+
 TEST(JobShare, OfFewPatchesTheJobsAreDealtOneByOne) {
   const JobList jobs = jobs_of(13, 21);
   for (const std::size_t shares : {6U, 20U, 100U}) {

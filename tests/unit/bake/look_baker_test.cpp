@@ -366,6 +366,22 @@ TEST(LookBaker, ATowerSeveralPatchesAwayShadesThisOne) {
     EXPECT_NEAR(power_at(look, texels, {1.0, y}), open, 1e-3 * open) << y;
 }
 
+// Far from the patch a cell gets two rays where its share of them would be less than one.
+TEST(LookBaker, StatesRaysAsOfCellsWithAWholeShare) {
+  const scene::Scene scene = scene_with_high_tower();
+  BakeSettings settings = settings_with({.samples_per_texel = 2});
+  settings.patches = {8.0, 64};
+  settings.aspects = {{radians_from_deg(180.0)}, {radians_from_deg(5.0)}, {10e9}};
+  const LookBaker baker(scene, settings);
+  SilentProgress silent;
+  const auto aspect = settings.aspects.look(0).aspect;
+  const atlas::PatchIndex patch = settings.patches.patch_at({1.0, 2000.0});
+  const BakedLook look = baker.bake(patch, aspect, silent).front();
+  EXPECT_GT(static_cast<double>(look.counts.paths),
+            2.1 * baker.area_of(settings.patches.texels_of(patch), aspect).whole_cells());
+  EXPECT_EQ(look.samples_per_texel, 2.0);
+}
+
 /// A strip of level ground, 20 km long, with a box every 40 m.
 scene::Scene long_street() {
   scene::Scene scene = scene_with_block();
