@@ -1,8 +1,13 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <fstream>
+#include <iterator>
+#include <new>
+#include <set>
 #include <tiny_gltf.h>
 
 #include "sigmascape/base/error.h"
@@ -82,6 +87,8 @@ class GltfReader {
   void add_node(int index, const NodePlacement& parent, int depth) {
     if (depth > 64) throw damaged("its nodes are nested more than 64 deep");
     const tinygltf::Node& node = checked(model_.nodes, index, "node");
+    // Each has one parent: under several, few nodes could stand for more than can be counted.
+    if (!met_.insert(index).second) throw damaged(fmt::format("its node {} hangs under two others", index));
     const NodePlacement placement = parent.then(placement_of(node));
     if (node.mesh >= 0) {
       const auto& parts = checked(model_.meshes, node.mesh, "mesh").primitives;
@@ -176,14 +183,20 @@ class GltfReader {
   };
   [[nodiscard]] Elements elements_of(const tinygltf::Accessor& accessor, std::size_t element_bytes) const {
     if (accessor.sparse.isSparse) throw damaged("it uses sparse accessors, which are not supported");
+    if (accessor.bufferView < 0) throw damaged("it uses accessors without a buffer view, which are not supported");
     const auto& view = checked(model_.bufferViews, accessor.bufferView, "buffer view");
     const auto& buffer = checked(model_.buffers, view.buffer, "buffer").data;
     const int stride = accessor.ByteStride(view);
-    const std::size_t start = view.byteOffset + accessor.byteOffset;
-    const std::size_t length =
-        accessor.count == 0 ? 0 : (accessor.count - 1) * static_cast<std::size_t>(stride) + element_bytes;
-    if (stride <= 0 || start + length > buffer.size()) throw damaged("its buffer is shorter than its contents say");
-    return {buffer.data() + start, static_cast<std::size_t>(stride)};
+    // A damaged file can state numbers that no sum of them holds: what is left is compared, not where it would end.
+    const bool starts_within =
+        view.byteOffset <= buffer.size() && accessor.byteOffset <= buffer.size() - view.byteOffset;
+    const std::size_t left = starts_within ? buffer.size() - view.byteOffset - accessor.byteOffset : 0;
+    const auto fits = [&] {
+      return accessor.count == 0 ||
+             (left >= element_bytes && accessor.count - 1 <= (left - element_bytes) / static_cast<std::size_t>(stride));
+    };
+    if (stride <= 0 || !starts_within || !fits()) throw damaged("its buffer is shorter than its contents say");
+    return {buffer.data() + view.byteOffset + accessor.byteOffset, static_cast<std::size_t>(stride)};
   }
 
   std::size_t add_vertices(const tinygltf::Accessor& accessor, const NodePlacement& placement) {
@@ -225,7 +238,38 @@ class GltfReader {
   const tinygltf::Model& model_;
   std::string file_;
   ImportedMesh mesh_;
+  std::set<int> met_;  ///< nodes
 };
+
+/// The JSON of a glTF file: all of it, or the first part of a binary one. Empty where there is none.
+std::string json_of(const std::filesystem::path& file, bool binary) {
+  std::ifstream stream(file, std::ios::binary);
+  std::array<char, 20> head{};
+  if (!binary) return {std::istreambuf_iterator<char>(stream), {}};
+  if (!stream.read(head.data(), head.size())) return {};
+  std::uint32_t bytes = 0;
+  std::memcpy(&bytes, head.data() + 12, sizeof(bytes));
+  std::string json;
+  for (std::istreambuf_iterator<char> at(stream), end; at != end && json.size() < bytes; ++at) json += *at;
+  return json;
+}
+
+/// How deep lists and objects are nested within one another.
+std::size_t nesting_of(const std::string& json) {
+  std::size_t depth = 0, deepest = 0;
+  bool is_text = false;
+  for (std::size_t i = 0; i < json.size(); ++i) {
+    if (json[i] == '"') is_text = !is_text;
+    if (is_text && json[i] == '\\') ++i;
+    if (is_text) continue;
+    if (json[i] == '[' || json[i] == '{') deepest = std::max(deepest, ++depth);
+    if ((json[i] == ']' || json[i] == '}') && depth > 0) --depth;
+  }
+  return deepest;
+}
+
+/// The loader goes down by its own calls.
+constexpr std::size_t most_nesting = 256;
 
 }  // namespace
 
@@ -238,9 +282,20 @@ ImportedMesh read_gltf(const std::filesystem::path& file) {
   tinygltf::Model model;
   std::string faults, warnings;
   const bool binary = file_ending(file) == ".glb";
-  const bool loaded = binary ? loader.LoadBinaryFromFile(&model, &faults, &warnings, file.string())
-                             : loader.LoadASCIIFromFile(&model, &faults, &warnings, file.string());
-  if (!loaded) {
+  if (nesting_of(json_of(file, binary)) > most_nesting) {
+    throw Error(file.string(), fmt::format("nests lists more than {} deep", most_nesting),
+                "export it again without extras");
+  }
+  const auto load = [&] {
+    try {
+      return binary ? loader.LoadBinaryFromFile(&model, &faults, &warnings, file.string())
+                    : loader.LoadASCIIFromFile(&model, &faults, &warnings, file.string());
+    } catch (const std::bad_alloc&) {
+      faults = "a buffer that it names is no file, or larger than memory";
+      return false;
+    }
+  };
+  if (!load()) {
     std::string first = faults.substr(0, faults.find('\n'));
     throw Error(file.string(), fmt::format("is not a glTF file ({})", first), "export it again as glTF 2.0");
   }

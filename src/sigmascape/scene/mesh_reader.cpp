@@ -4,6 +4,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <system_error>
 
 #include "sigmascape/base/file_ending.h"
 #include "sigmascape/base/units.h"
@@ -18,6 +19,9 @@ bool is_gltf(const std::filesystem::path& file) {
 }
 
 ImportedMesh read_file(const std::filesystem::path& file) {
+  std::error_code ignored;
+  if (std::filesystem::is_directory(file, ignored))
+    throw Error(file.string(), "is a folder", "name a file of glTF or OBJ");
   if (is_gltf(file)) return read_gltf(file);
   if (file_ending(file) == ".obj") return read_obj(file);
   throw Error(file.string(), "is neither glTF nor OBJ", "convert it to .gltf, .glb or .obj");

@@ -32,6 +32,12 @@ std::string_view next_line(std::string_view& text) {
   return line;
 }
 
+/// The text without the byte-order mark that some editors put before it.
+std::string_view without_mark(std::string_view text) {
+  constexpr std::string_view mark = "\xef\xbb\xbf";
+  return text.starts_with(mark) ? text.substr(mark.size()) : text;
+}
+
 void skip_blanks(std::string_view& line) {
   line.remove_prefix(std::min(line.find_first_not_of(blanks), line.size()));
 }
@@ -85,20 +91,46 @@ bool is_coordinate(std::string_view word) {
          std::abs(value) <= static_cast<double>(std::numeric_limits<float>::max());
 }
 
-/// The loader takes what it cannot read for 0. Throws Error that names the first line of a vertex whose three
-/// coordinates are not all there as finite numbers.
-void check_vertices(std::string_view text, const std::filesystem::path& file) {
+/// Whether a corner of a face begins with a number that the loader, which counts in 32 bits, can hold, or with none.
+bool is_within_count(std::string_view corner) {
+  int number = 0;
+  return std::from_chars(corner.data(), corner.data() + corner.size(), number).ec != std::errc::result_out_of_range;
+}
+
+bool holds_coordinates(std::string_view words) {
+  for (int axis = 0; axis < 3; ++axis) {
+    if (!is_coordinate(next_word(words))) return false;
+  }
+  return true;
+}
+
+bool holds_numbers_within_count(std::string_view words) {
+  for (std::string_view corner = next_word(words); !corner.empty(); corner = next_word(words)) {
+    if (!is_within_count(corner)) return false;
+  }
+  return true;
+}
+
+/// The loader takes what it cannot read for 0, and the last digits of what it cannot count for the number. Throws Error
+/// that names the first line of a vertex whose three coordinates are not all there as finite numbers, or of a face with
+/// such a number of a vertex.
+void check_numbers(std::string_view text, const std::filesystem::path& file) {
   for (std::size_t number = 1; !text.empty(); ++number) {
     const std::string_view line = next_line(text);
     std::string_view words = line;
-    if (next_word(words) != "v") continue;
-    for (int axis = 0; axis < 3; ++axis) {
-      if (is_coordinate(next_word(words))) continue;
-      throw Error(fmt::format("{}:{}", file.string(), number),
-                  fmt::format("'{}' does not hold three finite numbers",
-                              line.substr(0, std::min(line.find_last_not_of(blanks) + 1, longest_quote))),
-                  "write a vertex as v x y z with decimal points, such as v 0.5 1 0");
+    const std::string_view kind = next_word(words);
+    const auto faulty = [&](const char* what, const char* remedy) {
+      return Error(
+          fmt::format("{}:{}", file.string(), number),
+          fmt::format("'{}' {}", line.substr(0, std::min(line.find_last_not_of(blanks) + 1, longest_quote)), what),
+          remedy);
+    };
+    if (kind == "v" && !holds_coordinates(words)) {
+      throw faulty("does not hold three finite numbers",
+                   "write a vertex as v x y z with decimal points, such as v 0.5 1 0");
     }
+    if (kind == "f" && !holds_numbers_within_count(words))
+      throw faulty("names a vertex beyond those that a file can have", "export it again");
   }
 }
 
@@ -201,8 +233,9 @@ ImportedMesh read_obj(const std::filesystem::path& file) {
   std::ostringstream buffer;
   buffer << stream.rdbuf();
   if (!stream) throw Error(file.string(), "cannot be read", "check that it is a readable file");
-  const std::string text = with_whole_lines(buffer.str());
-  check_vertices(text, file);
+  const std::string content = buffer.str();
+  const std::string text = with_whole_lines(without_mark(content));
+  check_numbers(text, file);
   ImportedMesh mesh;
   // The loader's own shapes hold no face of more than 255 corners; line by line it has no such limit.
   add_vertices(text, mesh);

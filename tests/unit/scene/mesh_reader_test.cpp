@@ -153,6 +153,20 @@ TEST(ObjMesh, FacesThatCrossThemselvesAreRefused) {
               HasSubstr("face 1 has an outline that crosses or meets itself; export it as triangles"));
 }
 
+TEST(ObjMesh, AByteOrderMarkIsNoPartOfTheFirstVertex) {
+  const ScratchFolder folder;
+  const auto mesh = read_obj(folder.write("mark.obj", "\xef\xbb\xbfv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"));
+  EXPECT_EQ(mesh.vertices.size(), 3U);
+  EXPECT_EQ(mesh.triangles.size(), 1U);
+}
+
+TEST(ObjMesh, VerticesBeyondThoseThatCanBeCountedAreRefused) {
+  const ScratchFolder folder;
+  const auto file = folder.write("many.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 4294967297 2 3//1\n");
+  EXPECT_THAT(message_of_error([&] { static_cast<void>(read_obj(file)); }),
+              HasSubstr("many.obj:4: 'f 4294967297 2 3//1' names a vertex beyond those"));
+}
+
 TEST(ObjMesh, NumbersThatCannotBeReadNameTheirLine) {
   const ScratchFolder folder;
   for (const char* const vertex :
@@ -216,10 +230,40 @@ TEST(GltfMesh, RefusesDamagedFiles) {
   const ScratchFolder folder;
   EXPECT_THAT(message_of_error([&] { static_cast<void>(read_gltf(folder.write("bad.gltf", "{"))); }),
               HasSubstr("bad.gltf: is not a glTF file"));
-  std::string short_buffer = gltf_triangle;
-  short_buffer.replace(short_buffer.find("\"count\":3"), 9, "\"count\":9");
-  EXPECT_THAT(message_of_error([&] { static_cast<void>(read_gltf(folder.write("short.gltf", short_buffer))); }),
-              HasSubstr("its buffer is shorter"));
+  // 2^62 + 1 vertices of 12 bytes take 12 of 2^64 bytes, and 2^64 - 12 bytes on is 12 bytes before the buffer.
+  for (const char* const stated :
+       {"\"count\":9", "\"count\":4611686018427387905", "\"byteOffset\":18446744073709551604,\"count\":3",
+        "\"byteOffset\":37,\"count\":1", "\"byteOffset\":36,\"count\":1"}) {
+    std::string text = gltf_triangle;
+    text.replace(text.find("\"count\":3"), 9, stated);
+    EXPECT_THAT(message_of_error([&] { static_cast<void>(read_gltf(folder.write("short.gltf", text))); }),
+                HasSubstr("its buffer is shorter"))
+        << stated;
+  }
+}
+
+// Under two parents each, 60 nodes would stand for 2^59.
+TEST(GltfMesh, RefusesNodesUnderSeveralParents) {
+  const ScratchFolder folder;
+  std::string text = R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[)";
+  for (int node = 1; node < 60; ++node) text += fmt::format(R"({{"children":[{0},{0}]}},)", node);
+  EXPECT_THAT(message_of_error([&] { static_cast<void>(read_gltf(folder.write("shared.gltf", text + "{}]}"))); }),
+              HasSubstr("its node 59 hangs under two others"));
+}
+
+TEST(GltfMesh, RefusesWhatItsLoaderDoesNotSurvive) {
+  const ScratchFolder folder;
+  std::string deep = gltf_triangle;
+  deep.insert(1, R"("extras":)" + std::string(200'000, '[') + std::string(200'000, ']') + ",");
+  EXPECT_THAT(message_of_error([&] { static_cast<void>(read_gltf(folder.write("deep.gltf", deep))); }),
+              HasSubstr("deep.gltf: nests lists more than 256 deep"));
+  std::string in_text = gltf_triangle;
+  in_text.replace(in_text.find("metal"), 5, std::string(1000, '[') + R"(\"{)");
+  EXPECT_EQ(read_gltf(folder.write("text.gltf", in_text)).vertices.size(), 3U);
+  std::string viewless = gltf_triangle;
+  viewless.replace(viewless.find(R"("bufferView":0,)"), 15, "");
+  EXPECT_THAT(message_of_error([&] { static_cast<void>(read_gltf(folder.write("viewless.gltf", viewless))); }),
+              HasSubstr("accessors without a buffer view"));
 }
 
 TEST(MeshReader, ModelsWithYUpStandUprightAndLookForward) {
