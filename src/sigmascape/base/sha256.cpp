@@ -49,6 +49,8 @@ std::string sha256_of_file(const std::filesystem::path& path) {
   while (file.read(buffer.data(), buffer.size()) || file.gcount() > 0) {
     sha.add(std::as_bytes(std::span(buffer).first(static_cast<std::size_t>(file.gcount()))));
   }
+  // Of a folder, or where reading fails on the way, what was read is not the file.
+  if (!file.eof()) throw Error(path.string(), "cannot be read to its end", "check that it is a file on a sound disk");
   return sha.hex_digest();
 }
 

@@ -1,6 +1,7 @@
 #include "sigmascape/base/toml_reader.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cerrno>
 #include <cmath>
 #include <cstdlib>
@@ -13,6 +14,7 @@
 #include <numeric>
 #include <set>
 #include <sstream>
+#include <system_error>
 #include <toml++/toml.h>
 
 #include "sigmascape/base/virtual_path.h"
@@ -35,10 +37,17 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
   return row.back();
 }
 
+/// Of what was written, in an error.
+constexpr std::size_t longest_quote = 200;
+
 std::string as_written(const toml::node& node) {
   std::ostringstream text;
   node.visit([&text](const auto& value) { text << value; });
-  return text.str();
+  std::string words = text.str();
+  if (words.size() <= longest_quote) return words;
+  std::size_t end = longest_quote;
+  while (end > 0 && (static_cast<unsigned char>(words[end]) & 0xC0U) == 0x80U) --end;  // not within a letter
+  return words.substr(0, end) + "…";
 }
 
 /// A number, whole ones beyond 2^53 to the nearest double: toml++ gives none of these as a double.
@@ -55,11 +64,44 @@ std::string content_of(const std::filesystem::path& file) {
               "allow it to be read, or give the path of another file");
 }
 
+std::filesystem::file_type type_of(const std::filesystem::path& path) {
+  std::error_code ignored;
+  return std::filesystem::status(path, ignored).type();
+}
+
 /// What is amiss with a path that names no regular file.
 std::string what_it_is(const std::filesystem::path& path) {
-  return std::filesystem::is_directory(path) ? "is a folder"
-         : std::filesystem::exists(path)     ? "is no regular file, but a pipe or a device"
-                                             : "does not exist";
+  std::error_code fault;
+  switch (std::filesystem::status(path, fault).type()) {
+    case std::filesystem::file_type::directory:
+      return "is a folder";
+    case std::filesystem::file_type::not_found:
+      return "does not exist";
+    case std::filesystem::file_type::none:
+    case std::filesystem::file_type::unknown:
+      return fmt::format("cannot be looked at ({})", fault.message());
+    default:
+      return "is no regular file, but a pipe or a device";
+  }
+}
+
+/// The parser goes down by its own calls for each part of a key, and so does whatever looks at the tables then.
+constexpr std::size_t most_key_parts = 256;
+
+/// Throws Error when somewhere so many words with nothing but dots between them follow one another.
+void refuse_endless_keys(const std::string& text, const std::filesystem::path& file) {
+  std::size_t line = 1, parts = 1;
+  for (const char letter : text) {
+    if (letter == '\n') ++line;
+    if (letter == '.') ++parts;
+    const bool is_of_key = std::isalnum(static_cast<unsigned char>(letter)) != 0 ||
+                           std::string_view("_-. \t\"'").find(letter) != std::string_view::npos;
+    if (!is_of_key) parts = 1;
+    if (parts > most_key_parts) {
+      throw Error(fmt::format("{}:{}", file.string(), line),
+                  fmt::format("holds a key of more than {} parts", most_key_parts), "correct that line");
+    }
+  }
 }
 
 std::string range_text(Interval allowed) {
@@ -86,11 +128,11 @@ const toml::node* find(const toml::table& table, std::string_view key) {
 }  // namespace
 
 TomlSection TomlSection::read_file(const std::filesystem::path& file) {
-  if (!std::filesystem::is_regular_file(file)) {
+  if (const auto type = type_of(file); type != std::filesystem::file_type::regular) {
     throw Error(file.empty() ? "name of a TOML file" : file.string(),
-                file.empty()                    ? "is empty"
-                : std::filesystem::exists(file) ? what_it_is(file)
-                                                : "the file does not exist",
+                file.empty()                                    ? "is empty"
+                : type == std::filesystem::file_type::not_found ? "the file does not exist"
+                                                                : what_it_is(file),
                 "give the path of a TOML file");
   }
   // Read here: the parser tells of a file that it may not open as of one with a fault in line 0.
@@ -98,6 +140,7 @@ TomlSection TomlSection::read_file(const std::filesystem::path& file) {
 }
 
 TomlSection TomlSection::read_text(const std::string& text, const std::filesystem::path& file) {
+  refuse_endless_keys(text, file);
   try {
     auto table = std::make_shared<Table>();
     table->root = std::make_shared<const toml::table>(toml::parse(text, file.string()));
@@ -234,10 +277,12 @@ std::vector<std::string> TomlSection::texts(std::string_view key) const {
   const toml::node& node = *find(*table_->table, key);
   std::vector<std::string> words;
   const toml::array* array = node.as_array();
-  if (array == nullptr || !std::ranges::all_of(*array, [](const toml::node& n) { return n.is_string(); })) {
-    throw fault(key, fmt::format("is {}", as_written(node)), "give a list of texts in quotes");
+  if (array == nullptr) throw fault(key, fmt::format("is {}", as_written(node)), "give a list of texts in quotes");
+  for (const toml::node& element : *array) {
+    if (!element.is_string())
+      throw fault(key, fmt::format("holds {}", as_written(element)), "give a list of texts in quotes");
+    words.push_back(*element.value<std::string>());
   }
-  for (const toml::node& element : *array) words.push_back(*element.value<std::string>());
   return words;
 }
 
@@ -267,11 +312,10 @@ std::vector<std::array<double, 2>> TomlSection::pairs(std::string_view key) cons
   };
   std::vector<std::array<double, 2>> values;
   const toml::array* array = node.as_array();
-  if (array == nullptr || !std::ranges::all_of(*array, is_pair)) {
-    throw fault(key, fmt::format("is {}", as_written(node)),
-                "give a list of pairs of numbers such as [[10, 20], [30, 40]]");
-  }
+  const char* const remedy = "give a list of pairs of numbers such as [[10, 20], [30, 40]]";
+  if (array == nullptr) throw fault(key, fmt::format("is {}", as_written(node)), remedy);
   for (const toml::node& pair : *array) {
+    if (!is_pair(pair)) throw fault(key, fmt::format("holds {}", as_written(pair)), remedy);
     values.push_back({number_in(*pair.as_array()->get(0)), number_in(*pair.as_array()->get(1))});
   }
   return values;
@@ -281,7 +325,8 @@ std::optional<std::filesystem::path> TomlSection::optional_file(std::string_view
   const auto written = optional_text(key);
   if (!written) return std::nullopt;
   auto path = expanded_path(*written, table_->file.parent_path(), where(key));
-  if (!is_virtual(path) && !std::filesystem::is_regular_file(path) && !std::filesystem::is_directory(path)) {
+  const auto type = is_virtual(path) ? std::filesystem::file_type::regular : type_of(path);
+  if (type != std::filesystem::file_type::regular && type != std::filesystem::file_type::directory) {
     throw fault(key, fmt::format("the file {} {}", path.string(), what_it_is(path)),
                 "correct the path, which is relative to the TOML file");
   }

@@ -223,7 +223,8 @@ void read_bounce_atlases(const TomlSection& section, DatasetSpec& spec) {
     throw section.fault("bounce_atlases", "stands beside first_bounce_atlas", "leave one of the two out");
   for (const std::string& folder : folders) {
     const auto path = expanded_path(folder, spec.file.parent_path(), section.where("bounce_atlases"));
-    if (!std::filesystem::is_directory(path))
+    std::error_code ignored;
+    if (!std::filesystem::is_directory(path, ignored))
       throw section.fault("bounce_atlases", fmt::format("the folder {} does not exist", path.string()),
                           "correct the path, which is relative to the TOML file");
     spec.bounce_atlases.push_back(path);

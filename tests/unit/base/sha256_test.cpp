@@ -1,5 +1,6 @@
 #include "sigmascape/base/sha256.h"
 
+#include <filesystem>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <vector>
@@ -51,6 +52,14 @@ TEST(Sha256OfFile, MissingFileIsAnError) {
   const ScratchFolder folder;
   EXPECT_THAT(message_of_error([&] { static_cast<void>(sha256_of_file(folder.path("none"))); }),
               ::testing::HasSubstr("none: cannot be read"));
+}
+
+// A stream opens a folder, and reads nothing of it.
+TEST(Sha256OfFile, WhatCannotBeReadToItsEndIsAnError) {
+  const ScratchFolder folder;
+  std::filesystem::create_directory(folder.path("folder"));
+  EXPECT_THAT(message_of_error([&] { static_cast<void>(sha256_of_file(folder.path("folder"))); }),
+              ::testing::HasSubstr("folder: cannot be read to its end"));
 }
 
 }  // namespace

@@ -115,6 +115,27 @@ TEST_F(TomlReader, FilesThatMayNotBeReadAreNotToldOfAsWrittenWrongly) {
   EXPECT_THAT(message, HasSubstr("locked.toml: cannot be read (Permission denied); allow it to be read"));
 }
 
+TEST_F(TomlReader, PathsThatMayNotBeLookedAtAreToldWithTheirKey) {
+  // Longer than any file system takes.
+  const std::string name = std::string(300, 'n') + ".toml";
+  EXPECT_THAT(message_of_error([&] { static_cast<void>(TomlSection::read_file(folder_.path(name))); }),
+              HasSubstr(name + ": cannot be looked at (File name too long); give the path of a TOML file"));
+  EXPECT_THAT(
+      message_of_error([&] { static_cast<void>(section(fmt::format("file = \"{}\"", name)).optional_file("file")); }),
+      AllOf(HasSubstr("scene.toml: file: the file "), HasSubstr("cannot be looked at (File name too long)")));
+}
+
+// Of which the parser, and whatever goes through the tables, would go down a level each.
+TEST_F(TomlReader, KeysOfVeryManyPartsAreRefused) {
+  std::string parts = "a";
+  for (int i = 0; i < 100'000; ++i) parts += ".a";
+  for (const std::string& text : {"x = 1\n" + parts + " = 1\n", "x = 1\n[" + parts + "]\n"})
+    EXPECT_THAT(message_of_error([&] { static_cast<void>(section(text)); }), HasSubstr("scene.toml:2: holds a key of"));
+  std::string numbers = "x = [0.5";
+  for (int i = 0; i < 1000; ++i) numbers += ", 0.5";
+  EXPECT_EQ(section(numbers + "]").numbers("x", {0.0, 1.0, ""}).size(), 1001U);
+}
+
 TEST_F(TomlReader, WrongTypeSaysWhatIsThere) {
   EXPECT_THAT(message_of_error([&] {
                 static_cast<void>(section("x = \"five\"").number("x", {0, 9, "m"}));
@@ -142,6 +163,15 @@ TEST_F(TomlReader, PairsAreOfFiniteNumbers) {
                 HasSubstr("give a list of pairs of numbers"))
         << wrong;
   }
+}
+
+TEST_F(TomlReader, OfLongListsOnlyWhatIsWrongIsQuoted) {
+  std::string list = "at = [";
+  for (int i = 0; i < 1000; ++i) list += "[1, 2], ";
+  const std::string message = message_of_error([&] { static_cast<void>(section(list + "[3, 4, 5]]").pairs("at")); });
+  EXPECT_THAT(message, HasSubstr("at: holds [ 3, 4, 5 ]; give a list of pairs"));
+  EXPECT_LT(message.size(), 300U);
+  EXPECT_LT(message_of_error([&] { static_cast<void>(section(list + "]").number("at", {0, 1, ""})); }).size(), 400U);
 }
 
 TEST_F(TomlReader, UnknownKeySuggestsTheNearest) {
