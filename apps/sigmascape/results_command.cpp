@@ -97,12 +97,14 @@ void add_results_command(Command app, Output& output) {
   command.add_option("--page", options->page, "Markdown page to write as well, its pictures beside it");
   const auto scene = command.add_option("--scene", options->scene_file,
                                         "scene file (TOML) to measure on, instead of the paper's scene");
-  command.add_option("--scale", options->scale, "side of the paper's scene, or of the middle of another, over 2 km");
+  command.add_option("--scale", options->scale, "side of the paper's scene, or of the middle of another, over 2 km")
+      .check(number_within(0.01, 1000.0));
   command
       .add_option("--around", options->around_m,
                   "of another scene: the middle of what is measured, in metres east and north of the scene's own")
       .expected(2)
-      .needs(scene);
+      .needs(scene)
+      .check(number_within(-1e6, 1e6));
   command.add_flag("--itu-materials", options->itu_materials,
                    "the paper's scene with walls and trees of real materials instead of the paper's");
   command.add_option("--held-out", options->held_out, "number of views that were not baked");

@@ -142,7 +142,12 @@ Store Store::open(const std::filesystem::path& folder) {
   }
   if (!text) throw Error(file.string(), "is not there", "choose the folder of an atlas, or bake one first");
   AtlasDescription description = description_from(*text, file);
-  check_description(description);
+  try {
+    check_description(description);
+  } catch (const Error& fault) {
+    throw Error(file.string(), fmt::format("describes no atlas that can be ({})", fault.what()),
+                "take the file of the bake again, or bake anew into another folder");
+  }
   return {folder, std::move(description)};
 }
 

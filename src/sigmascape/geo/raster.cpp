@@ -362,7 +362,10 @@ double Raster::cell_m(const LocalFrame& frame, Vec2d place) const {
   std::array corners{source_->crs_position(column, row), source_->crs_position(column + 1.0, row),
                      source_->crs_position(column, row + 1.0)};
   transform.to_frame(corners);
-  return std::min(length(corners[1] - corners[0]), length(corners[2] - corners[0]));
+  const double cell_m = std::min(length(corners[1] - corners[0]), length(corners[2] - corners[0]));
+  if (std::isfinite(cell_m) && cell_m > 0.0) return cell_m;
+  throw Error(source_->name, "lies where the scene's frame does not reach",
+              "give one that overlaps the scene, and state crs if its numbers are of another system than it says");
 }
 
 bool Raster::covers(const LocalFrame& frame, Vec2d place) const {

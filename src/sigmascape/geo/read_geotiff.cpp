@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "sigmascape/base/error.h"
+#include "sigmascape/base/machine_memory.h"
 #include "sigmascape/geo/geo_raster.h"
 #include "sigmascape/geo/is_absent.h"
 #include "sigmascape/geo/quiet_gdal.h"
@@ -27,6 +28,19 @@ RasterPlacement placement_of(const std::filesystem::path& path, GDALDataset& dat
   if (reference == nullptr)
     throw Error(path.string(), "has no CRS", "assign one, for example with gdal_edit.py -a_srs");
   return {transform[0], transform[3], cell_m, wkt2_from(*reference)};
+}
+
+/// Bands are read whole.
+void require_room(const std::filesystem::path& path, GDALDataset& dataset) {
+  const double cells = static_cast<double>(dataset.GetRasterXSize()) * dataset.GetRasterYSize(),
+               bytes = cells * dataset.GetRasterCount() * static_cast<double>(sizeof(float)),
+               memory_bytes = machine_memory_bytes();
+  if (bytes <= memory_bytes) return;
+  throw Error(path.string(),
+              fmt::format("holds {} × {} cells in {} bands, which take {:.3g} GB of memory, and there are {:.3g}",
+                          dataset.GetRasterXSize(), dataset.GetRasterYSize(), dataset.GetRasterCount(), bytes / 1e9,
+                          memory_bytes / 1e9),
+              "give another file, or a part of this one, for example by gdal_translate -projwin");
 }
 
 NamedBand read_band(const std::filesystem::path& path, GDALRasterBand& source) {
@@ -89,6 +103,7 @@ GeoRaster read_geotiff(const std::filesystem::path& path) {
   GeoRaster raster;
   raster.placement = placement_of(path, *dataset);
   raster.metadata = metadata_of(*dataset);
+  require_room(path, *dataset);
   for (int band = 1; band <= dataset->GetRasterCount(); ++band) {
     raster.bands.push_back(read_band(path, *dataset->GetRasterBand(band)));
   }

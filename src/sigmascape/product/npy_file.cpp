@@ -1,10 +1,12 @@
 #include "sigmascape/product/npy_file.h"
 
+#include <charconv>
 #include <cstring>
 #include <fstream>
 #include <iterator>
-#include <numeric>
+#include <limits>
 #include <string>
+#include <system_error>
 
 #include "sigmascape/base/error.h"
 
@@ -27,9 +29,11 @@ std::vector<std::size_t> shape_in(const std::string& words) {
       ++at;
       continue;
     }
-    std::size_t digits = 0;
-    shape.push_back(std::stoul(words.substr(at, 18), &digits));
-    at += digits;
+    std::size_t length = 0;
+    const auto [stopped, fault] = std::from_chars(words.data() + at, words.data() + words.size(), length);
+    if (fault != std::errc{}) length = std::numeric_limits<std::size_t>::max();
+    shape.push_back(length);
+    at = static_cast<std::size_t>(stopped - words.data());
   }
   return shape;
 }
@@ -50,8 +54,13 @@ ComplexArray read_complex_npy(const std::filesystem::path& path) {
       words.find("'shape'") == std::string::npos)
     throw not_wanted(path, "holds something else than complex64 in C order");
   ComplexArray array{.shape = shape_in(words), .numbers = {}};
-  const std::size_t count =
-      std::accumulate(array.shape.begin(), array.shape.end(), std::size_t{1}, std::multiplies<>());
+  const std::size_t held = (bytes.size() - begin) / sizeof(std::complex<float>);
+  std::size_t count = 1;
+  for (const std::size_t length : array.shape) {
+    // Whose product may be a number that none holds.
+    if (length > 0 && count > held / length) throw not_wanted(path, "is cut off");
+    count *= length;
+  }
   if (bytes.size() - begin != count * sizeof(std::complex<float>)) throw not_wanted(path, "is cut off");
   array.numbers.resize(count);
   std::memcpy(array.numbers.data(), bytes.data() + begin, bytes.size() - begin);

@@ -139,8 +139,10 @@ class PlotDrawer {
 
  private:
   [[nodiscard]] bool is_shown(const std::pair<double, double>& point) const {
-    const bool is_finite = std::isfinite(point.first) && std::isfinite(point.second);
-    return is_finite && point.second >= plot_.y_floor && (!plot_.x_is_logarithmic || point.first > 0.0) &&
+    // Between larger ones, finite as they are, a difference may not be.
+    constexpr double most = 1e300;
+    const bool has_room = std::abs(point.first) <= most && std::abs(point.second) <= most;
+    return has_room && point.second >= plot_.y_floor && (!plot_.x_is_logarithmic || point.first > 0.0) &&
            (!plot_.y_is_logarithmic || point.second > 0.0);
   }
   [[nodiscard]] Extent extent_of(double std::pair<double, double>::*coordinate) const {

@@ -12,6 +12,7 @@
 #include "sigmascape/base/error.h"
 #include "sigmascape/base/units.h"
 #include "sigmascape/radar/csv_lines.h"
+#include "sigmascape/radar/radar_bounds.h"
 
 namespace sigmascape::radar {
 namespace {
@@ -19,6 +20,11 @@ namespace {
 struct Row {
   double offset_deg = 0.0, gain_db = 0.0;
 };
+
+/// Once around either way.
+constexpr double most_offset_deg = 360.0;
+/// Far more than any antenna has, and little enough that half of the peak is another number than the peak.
+constexpr double most_gain_db = 1000.0;
 
 /// With a plus before it or not.
 std::optional<double> number_of(std::string_view field) {
@@ -38,6 +44,10 @@ std::vector<Row> rows_of(const std::filesystem::path& file) {
     const auto offset_deg = number_of(fields.front()), gain_db = number_of(fields.back());
     if (fields.size() != 2 || !offset_deg || !gain_db)
       throw Error(where, fmt::format("\"{}\" is not a pair of numbers", line), "give offset_deg,gain_db");
+    if (!(std::abs(*offset_deg) <= most_offset_deg) || !(std::abs(*gain_db) <= most_gain_db))
+      throw Error(
+          where, fmt::format("\"{}\" is out of range", line),
+          fmt::format("give offsets of at most {:g} degrees and gains within ±{:g} dB", most_offset_deg, most_gain_db));
     if (!rows.empty() && *offset_deg <= rows.back().offset_deg)
       throw Error(where, "does not lie beyond the line before it", "sort the lines by increasing offset_deg");
     rows.push_back({*offset_deg, *gain_db});
@@ -69,6 +79,11 @@ PatternTable read_pattern_table(const std::filesystem::path& file) {
   const double left_deg = crossing_deg(std::make_reverse_iterator(peak + 1), rows.rend(), half_db, file);
 
   const double width_deg = right_deg - left_deg;
+  const Interval& widths_deg = bounds::beam_widths_deg;
+  if (!(width_deg >= widths_deg.lowest && width_deg <= widths_deg.highest)) {
+    throw Error(file.string(), fmt::format("has a beam {:g} degrees wide between its half-power points", width_deg),
+                fmt::format("give one of {:g} to {:g} degrees", widths_deg.lowest, widths_deg.highest));
+  }
   PatternTable table{.beam = {}, .half_power_width_rad = radians_from_deg(width_deg)};
   for (const Row& row : rows)
     table.beam.samples.push_back({row.offset_deg / width_deg, linear_from_db(row.gain_db - peak->gain_db)});

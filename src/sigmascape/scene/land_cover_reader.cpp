@@ -74,7 +74,7 @@ radar::GroundGrid material_grid(const radar::Rectangle& extent, double cell_m, c
   const double columns = std::ceil(extent.width_m() / cell_m - 1e-6),
                rows = std::ceil(extent.height_m() / cell_m - 1e-6);
   const double cells = columns * rows, fit = std::min(most_cells, machine_memory_bytes() / bytes_a_cell);
-  if (cells > fit) {
+  if (!(cells <= fit)) {
     throw Error(name, fmt::format("would make {:.2g} cells of {:g} m", cells, cell_m),
                 fmt::format("choose a cell_m of {:.3g} or more in [land_cover], for cells that memory holds",
                             cell_m * std::sqrt(cells / fit) * 1.01));
@@ -200,8 +200,11 @@ LandCoverSource read_land_cover_source(const TomlSection& section, const Materia
   }
   if (section.has("water_classes")) {
     source.water_classes.clear();
-    for (const double code : section.numbers("water_classes", {-1e9, 1e9, ""}))
+    for (const double code : section.numbers("water_classes", {-1e9, 1e9, ""})) {
+      if (code != std::floor(code))
+        throw section.fault("water_classes", fmt::format("holds {:g}", code), "give the whole numbers of classes");
       source.water_classes.push_back(static_cast<std::int32_t>(code));
+    }
   } else if (is_water(source.materials[world_cover_water], materials)) {
     source.water_classes.push_back(world_cover_water);
   }

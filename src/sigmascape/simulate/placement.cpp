@@ -95,6 +95,10 @@ struct TargetPlacer {
   [[nodiscard]] radar::WayPoint way_point(const radar::TargetPlace& source) const {
     const Vec2d place = std::visit(*this, source.place);
     const radar::Rectangle& extent = ground.extent;
+    if (!std::isfinite(place.x) || !std::isfinite(place.y)) {
+      throw Error(where, "has a place on the globe that the scene's frame does not reach",
+                  "give latitude and longitude near the scene");
+    }
     if (source.above_ground && !extent.contains(place)) {
       throw Error(
           where, fmt::format("has a place at ({:.1f}, {:.1f}) m, outside the terrain", place.x, place.y),

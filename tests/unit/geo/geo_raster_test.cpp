@@ -1,8 +1,10 @@
 #include "sigmascape/geo/geo_raster.h"
 
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
+#include <gdal_priv.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <limits>
@@ -10,10 +12,12 @@
 #include <unistd.h>
 
 #include "bytes_of.h"
+#include "scratch_folder.h"
 
 #include "sigmascape/base/error.h"
 #include "sigmascape/geo/atomic_file.h"
 #include "sigmascape/geo/local_frame.h"
+#include "sigmascape/geo/quiet_gdal.h"
 
 namespace sigmascape::geo {
 namespace {
@@ -190,6 +194,28 @@ TEST_F(GeoRasterFile, ATruncatedFileIsRefused) {
   write_geotiff(folder_ / "map.tif", example_raster());
   std::filesystem::resize_file(folder_ / "map.tif", std::filesystem::file_size(folder_ / "map.tif") / 2);
   EXPECT_THROW(static_cast<void>(read_geotiff(folder_ / "map.tif")), Error);
+}
+
+// Of which nothing is stored.
+TEST_F(GeoRasterFile, AFileLargerThanMemoryIsRefused) {
+  const QuietGdal quiet;
+  register_gdal_drivers();
+  CPLStringList options;
+  options.SetNameValue("SPARSE_OK", "TRUE");
+  options.SetNameValue("TILED", "YES");
+  options.SetNameValue("BLOCKXSIZE", "65536");
+  options.SetNameValue("BLOCKYSIZE", "65536");
+  const std::filesystem::path file = folder_ / "huge.tif";
+  {
+    const GDALDatasetUniquePtr huge(GetGDALDriverManager()->GetDriverByName("GTiff")->Create(
+        file.c_str(), 4'000'000, 4'000'000, 1, GDT_Byte, options.List()));
+    ASSERT_NE(huge, nullptr);
+    std::array<double, 6> placement{0.0, 1.0, 0.0, 0.0, 0.0, -1.0};
+    huge->SetGeoTransform(placement.data());
+    huge->SetProjection("EPSG:32630");
+  }
+  EXPECT_THAT(message_of_error([&] { static_cast<void>(read_geotiff(file)); }),
+              ::testing::HasSubstr("huge.tif: holds 4000000 × 4000000 cells in 1 bands, which take 6.4e+04 GB"));
 }
 
 }  // namespace

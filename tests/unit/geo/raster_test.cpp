@@ -69,6 +69,15 @@ TEST(Raster, MeansOverCoarseCellsAreTheSameWhereverTheLatticeBegins) {
   }
 }
 
+// Numbers of one system under the name of another.
+TEST(Raster, WhatTheFrameDoesNotReachHasNoCells) {
+  const ScratchFolder folder;
+  const AsciiGrid mercator{-13'600'000.0, 4'500'000.0, 10.0, 4, 4};
+  const Raster raster({folder.write("far.asc", mercator.text([](double, double) { return 1.0; })), 1, "EPSG:3035"});
+  EXPECT_THAT(message_of_error([&] { static_cast<void>(raster.cell_m(example_frame, {})); }),
+              AllOf(HasSubstr("far.asc"), HasSubstr("lies where the scene's frame does not reach")));
+}
+
 TEST(Raster, GeographicRasterIsNotTransposed) {
   const ScratchFolder folder;
   const AsciiGrid degrees{-3.0, 43.3, 0.0002, 120, 150};

@@ -127,6 +127,9 @@ TEST(NpyFile, ReadsWhatWasWrittenAndRefusesElse) {
   EXPECT_NE(told(npy_bytes("<f4", shape, std::as_bytes(std::span(numbers)).first(16))).find("something else"),
             std::string::npos);
   EXPECT_NE(told("hello").find("no NumPy file"), std::string::npos);
+  // 2^32 · 2^29 numbers of 8 bytes take 2^64 bytes, which is 0 where no more digits are.
+  const std::array<std::size_t, 2> endless{std::size_t{1} << 32U, std::size_t{1} << 29U};
+  EXPECT_NE(told(npy_bytes("<c8", endless, {})).find("cut off"), std::string::npos);
 }
 
 }  // namespace

@@ -122,6 +122,14 @@ TEST(Plot, NumbersThatAreNotFiniteBreakTheLine) {
   EXPECT_EQ(curves, 2U);
 }
 
+// Between which there is no finite difference.
+TEST(Plot, NumbersThatNoAxisHasRoomForBreakTheLine) {
+  for (const double large : {1e308, 1.7e308}) {
+    Plot plot = with_points({{-large, 1.0}, {0.0, 1.0}, {1.0, 2.0}, {2.0, -large}, {3.0, large}});
+    EXPECT_EQ(marks_of<Dot>(drawing_of(plot)).size(), 2U) << large;
+  }
+}
+
 TEST(Plot, WhatLiesBelowTheFloorIsLeftOutAndBreaksTheLine) {
   Plot plot = with_points({{0.0, -10.0}, {1.0, 0.0}, {2.0, -300.0}, {3.0, -5.0}, {4.0, -10.0}});
   plot.y_floor = -80.0;

@@ -160,5 +160,17 @@ TEST(PlacedRadar, OnTheGlobeStandsWithinReachOfTheScene) {
               HasSubstr("place it within 1000 km"));
 }
 
+// Where the equator meets the meridian 90° away the projection has no place for anything.
+TEST(PlacedTargets, WhereTheFrameDoesNotReachAreRefused) {
+  const FlatScene scene({43.25, -2.95}, {43.25, -2.95});
+  radar::TargetSource source;
+  source.where = "targets.toml: targets[1]";
+  source.places = {{.place = radar::LatitudeLongitude{0.0, 87.05}, .height_m = 100.0, .above_ground = false}};
+  EXPECT_THAT(message_of_error([&] {
+                static_cast<void>(placed_targets({&source, 1}, scene.frame, scene.terrain, 1));
+              }),
+              HasSubstr("targets.toml: targets[1]: has a place on the globe that the scene's frame does not reach"));
+}
+
 }  // namespace
 }  // namespace sigmascape::simulate
