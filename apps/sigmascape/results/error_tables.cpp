@@ -3,6 +3,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <tuple>
+#include <vector>
 
 #include "results/columns.h"
 #include "results/costs.h"
@@ -92,6 +93,8 @@ std::string truth_aim(const ResultsReport& report, const std::string& scene, Vie
 std::string aim_line(const ResultsReport& report, const ResultsRow& row, const ResultsCell& cell, double least) {
   constexpr double most_bias_db = 0.3;
   const double bias_db = cell.median.bias_db;
+  std::vector<double> sizes_db;
+  for (const ResultsAtView& view : row.at_views) sizes_db.push_back(std::abs(view.tested.bias_db));
   const Reached correlating = views_with(row, &product::CellComparison::correlation_db,
                                          [least](double correlation) { return correlation >= least; });
   const Reached unbiased =
@@ -102,7 +105,7 @@ std::string aim_line(const ResultsReport& report, const ResultsRow& row, const R
                      correlation_beside(least, cell.median.correlation_db, correlating),
                      signed_text(bias_db, decimals_that_tell(most_bias_db, std::abs(bias_db), 2)),
                      signed_text(cell.worst.bias_db, 2), most_bias_db,
-                     mark(2 * unbiased.views > unbiased.of, unbiased));
+                     mark(median(sizes_db) <= most_bias_db, unbiased));
 }
 
 /// Views that were baked, from the grid as it is measured, from the same looks with rays where the noise is, as they

@@ -42,8 +42,8 @@ struct RenderedMap {
 /// Bakes, traces, renders and compares everything that a plan asks for.
 class Measurement {
  public:
-  /// Bakes. What lies in `folder` from an earlier run is used again; of views that `measured`, unless empty, names a
-  /// file of, nothing is traced.
+  /// Bakes. What lies in `folder` from an earlier run is used again; views that are in the file `measured`, unless
+  /// empty, are not measured again: they are traced only to be shown, or where a method has been added since.
   Measurement(const ResultsPlan& plan, const std::filesystem::path& folder, const std::filesystem::path& measured);
 
   /// Every view is kept in `kept_file` once it is done.
