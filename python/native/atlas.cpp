@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <functional>
 #include <optional>
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
@@ -38,10 +39,11 @@ double checked_azimuth(double azimuth_deg) {
   return within("azimuth_deg", azimuth_deg, -1e6, 1e6);
 }
 
-/// The place of a value on an axis on which it must stand.
-std::size_t place_on(const std::vector<double>& axis, double value, const char* name) {
+/// The place on an axis of a value that differs from what it must be by its rounding alone.
+template <typename Difference>
+std::size_t place_on(const std::vector<double>& axis, double value, const char* name, const Difference& difference) {
   for (std::size_t i = 0; i < axis.size(); ++i) {
-    if (std::abs(axis[i] - value) <= 1e-7 * std::max(1.0, std::abs(value))) return i;
+    if (std::abs(difference(axis[i], value)) <= 1e-7 * std::max(1.0, std::abs(value))) return i;
   }
   throw Error(name, "was not baked", "choose from the axes of the atlas");
 }
@@ -55,10 +57,12 @@ std::shared_ptr<atlas::HalfTexture> texture(const LoadedAtlas& loaded, std::arra
                 "choose from the patches of the atlas");
   const atlas::AspectGrid& axes = description.aspects;
   checked_azimuth(azimuth_deg);
+  // A little west of north is close to north.
+  const auto turn = [](double one, double other) { return turned_by_least(one - other); };
   const auto look =
-      axes.index_of(place_on(axes.azimuths_rad, wrapped_azimuth(radians_from_deg(azimuth_deg)), "azimuth_deg"),
-                    place_on(axes.elevations_rad, radians_from_deg(elevation_deg), "elevation_deg"),
-                    place_on(axes.frequencies_hz, frequency_ghz * 1e9, "frequency_ghz"));
+      axes.index_of(place_on(axes.azimuths_rad, wrapped_azimuth(radians_from_deg(azimuth_deg)), "azimuth_deg", turn),
+                    place_on(axes.elevations_rad, radians_from_deg(elevation_deg), "elevation_deg", std::minus<>()),
+                    place_on(axes.frequencies_hz, frequency_ghz * 1e9, "frequency_ghz", std::minus<>()));
   return std::make_shared<atlas::HalfTexture>(loaded.store().read_halves({patch[0], patch[1]}, look));
 }
 

@@ -161,7 +161,8 @@ void add_scene(py::module_& module) {
           [](const LoadedScene& s, double x_m, double y_m) {
             return s.scene().terrain.height_at(checked_place(x_m, y_m));
           },
-          py::arg("x_m"), py::arg("y_m"), "Height of the bare ground at a point, in metres.")
+          py::arg("x_m"), py::arg("y_m"),
+          "Height of the bare ground at a point, in metres; beyond the terrain that of its nearest edge.")
       .def("info", &scene_info, "Extent, counts, materials and what was mended while reading, as a dict.")
       .def("__repr__", [](const LoadedScene& s) { return "<sigmascape.Scene '" + s.scene().name + "'>"; });
 }

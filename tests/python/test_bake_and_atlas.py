@@ -67,6 +67,12 @@ def test_sigma0_at_bare_ground_is_that_of_the_ground(tmp_path):
     assert same.mean() > 0.1, "of a landscape with a forest, a town and water"
 
 
+def test_north_is_north_from_either_side(atlas):
+    looks = [atlas.texture((0, 0), azimuth_deg=azimuth_deg, elevation_deg=15.0, frequency_ghz=10.0).sigma0()
+             for azimuth_deg in (0.0, -1e-10, 360.0 - 1e-10)]
+    assert np.array_equal(looks[0], looks[1], equal_nan=True) and np.array_equal(looks[0], looks[2], equal_nan=True)
+
+
 def test_a_look_that_was_not_baked_is_refused(atlas):
     with pytest.raises(sigmascape.Error, match="elevation_deg"):
         atlas.texture((0, 0), azimuth_deg=0.0, elevation_deg=20.0, frequency_ghz=10.0)

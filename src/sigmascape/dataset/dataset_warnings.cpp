@@ -1,5 +1,6 @@
 #include "sigmascape/dataset/dataset_warnings.h"
 
+#include <cmath>
 #include <fmt/format.h>
 #include <optional>
 
@@ -101,7 +102,10 @@ std::vector<std::string> dataset_warnings(const DatasetSpec& spec, const terrain
   for (const SamplePlan& plan : lowest_and_highest(spec, ends, centres)) {
     auto missed = simulate::beam_above_or_below(radar_of(spec, plan, terrain), plan.grid.extent(), terrain);
     if (!missed) continue;
-    warnings.push_back(fmt::format("of maps seen under {:.3g}°, {}", deg_from_radians(plan.elevation_rad), *missed));
+    // Of sequences that fly the plan states where they begin.
+    const Vec3d to_radar = radar_of(spec, plan, terrain).position - middle_of(plan, terrain);
+    const double elevation_rad = std::asin(normalized(to_radar).z);
+    warnings.push_back(fmt::format("of maps seen under {:.3g}°, {}", deg_from_radians(elevation_rad), *missed));
     break;
   }
   return warnings;

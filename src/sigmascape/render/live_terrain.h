@@ -27,7 +27,7 @@ class LiveTerrain {
   [[nodiscard]] terrain::HeightBounds bounds_over(const radar::Rectangle& ground) const {
     return pyramid_->bounds_over(ground);
   }
-  /// Level 0; reads a tile if need be.
+  /// Level 0; reads a tile if need be. Beyond the terrain that of its nearest edge.
   [[nodiscard]] double height_at(Vec2d point) const;
   /// Heights over an area, and what of them cannot be had, so that coarser ones stand in.
   struct Window {

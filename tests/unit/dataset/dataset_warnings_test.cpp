@@ -12,6 +12,7 @@
 namespace sigmascape::dataset {
 namespace {
 
+using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
@@ -90,6 +91,19 @@ TEST(DatasetWarnings, FollowARadarThatFliesUpToItsMap) {
   EXPECT_THAT(warnings_of(spec), IsEmpty()) << "flies away";
   spec.sequence.course_rad = {pi, pi};
   EXPECT_THAT(warnings_of(spec), ElementsAre(StartsWith("in maps 10.")));
+}
+
+// 15 km away under 11.5° it stands 2980 m up and 14.7 km before the map; 60 s of 200 m/s later 2.7 km, which is under
+// 48°.
+TEST(DatasetWarnings, SayUnderWhatAngleARadarThatFliesSeesItsMap) {
+  DatasetSpec spec = fitting_spec();
+  spec.azimuth_rad = {0.0, 0.0};
+  spec.elevation_rad = {0.2, 0.2};
+  spec.slant_range_m = {15e3, 15e3};
+  spec.radar.radar.antenna.elevation = radar::GaussianBeam{};
+  spec.radar.radar.antenna.elevation_width_rad = radians_from_deg(4.0);
+  spec.sequence = {.frames = 4, .interval_s = 20.0, .speed_mps = {200.0, 200.0}, .course_rad = {pi, pi}};
+  EXPECT_THAT(warnings_of(spec), Contains(StartsWith("of maps seen under 47.8°, the beam points to an elevation of")));
 }
 
 // The example shows vehicles, none of which may be lost between cells.
