@@ -90,17 +90,21 @@ void BakeOptions::add_rays(Command command) {
           .add_option("--target-db", target_db,
                       "standard error aimed at in what the rays to one cell return, as far as "
                       "--most-samples goes; 'atlas info' tells what part of the power is in texels above")
-          .default_str(fmt::format("{:g}", usual.target_db))
           .check(number_within(bake::least_target_db, bake::most_target_db));
   const auto most_option =
       command.add_option("--most-samples", most_samples, "rays a texel at most, however noisy it is")
-          .default_str(std::to_string(usual.most_samples))
           .check(count_within(bake::pilot_samples, bake::most_samples_a_cell));
   const auto samples_option =
       command.add_option("--samples", samples, "rays a texel everywhere (N_r of the paper) instead of a target")
           .check(count_within<std::uint32_t>(2, bake::most_samples_a_cell))
           .excludes(target_option, most_option);
-  if (usual_samples > 0) samples_option.default_str(std::to_string(usual_samples));
+  // One of the two ways is usual, and help tells the defaults of that one.
+  if (usual_samples > 0) {
+    samples_option.default_str(std::to_string(usual_samples));
+  } else {
+    target_option.default_str(fmt::format("{:g}", usual.target_db));
+    most_option.default_str(std::to_string(usual.most_samples));
+  }
   const auto preset_option =
       command.add_option("--preset", preset, "paper: 100 rays a texel everywhere, 8 bounces").check(one_of({"paper"}));
   command.add_option("--bounces", bounces, "surfaces a path may meet (N_b of the paper)")

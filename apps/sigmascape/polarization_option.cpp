@@ -6,9 +6,9 @@
 
 namespace sigmascape::cli {
 
-Option add_polarization_option(Command command, radar::Polarization& polarization) {
+Option add_polarization_option(Command command, radar::Polarization& polarization, const std::string& usual) {
   return add_word_option(command, "--polarization", polarization, radar::polarization_words(),
-                         "vv, hh, hv, vh, or sum for VV + HH + 2 HV");
+                         "vv, hh, hv, vh, or sum for VV + HH + 2 HV; unless stated " + usual);
 }
 
 }  // namespace sigmascape::cli

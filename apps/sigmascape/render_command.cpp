@@ -446,7 +446,7 @@ void add_render_command(Command app, Output& output) {
       command
           .add_option("--top-db", options->top_db, "sigma0 shown brightest; by default that of the brightest few cells")
           .check(number_within(-1000.0, 1000.0));
-  const auto stated = add_polarization_option(command, *polarization);
+  const auto stated = add_polarization_option(command, *polarization, "that of the radar file");
   const auto crs =
       command.add_option("--crs", options->crs, "coordinate system of maps and layers: EPSG code, PROJ string or WKT");
   const auto up = add_scope_options(command, options->scopes);

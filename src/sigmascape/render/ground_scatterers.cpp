@@ -23,9 +23,11 @@ namespace {
 constexpr double bytes_a_cell = 136.0;
 static_assert(sizeof(radar::Scatterer) == 56);
 
+constexpr double numbered_cells = 0x1p27;
+
 /// That numbers and memory can hold.
 double most_cells() {
-  return std::min(0x1p27, machine_memory_bytes() / bytes_a_cell);
+  return std::min(numbered_cells, machine_memory_bytes() / bytes_a_cell);
 }
 
 double azimuth_to(Vec3d radar, Vec3d point) {
@@ -83,9 +85,9 @@ void check_scatterers(const radar::Rectangle& area, double side_m) {
     throw Error("ground scatterers",
                 fmt::format("an area of {:.0f} m by {:.0f} m in cells of {} m is asked for", area.width_m(),
                             area.height_m(), side_m),
-                fmt::format("give an area of at most {:.0f} cells, or larger cells by pulses over a shorter interval "
-                            "or an image of coarser resolution",
-                            most_cells()));
+                fmt::format("give an area of at most {:.0f} cells, {}, or larger cells by pulses over a shorter "
+                            "interval or an image of coarser resolution",
+                            most_cells(), most_cells() < numbered_cells ? "which memory holds" : "2²⁷"));
   }
 }
 

@@ -43,7 +43,8 @@ struct ScattererRequest {
   radar::CurvedEarth earth = radar::CurvedEarth::flat();  ///< for sight and aspect; places are in the local frame
 };
 
-/// Throws Error when the area has more than 2²⁷ cells of this side: for asking before the work.
+/// Throws Error when the area has more cells of this side than 2²⁷, or than memory holds at 136 bytes each: for asking
+/// before the work.
 void check_scatterers(const radar::Rectangle& area, double side_m);
 
 /// The scatterers of all ground in the area that the radar sees over the terrain: one a cell of the lattice, with the

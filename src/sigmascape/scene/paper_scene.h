@@ -29,8 +29,8 @@ struct PaperSceneSize {
 
 [[nodiscard]] PaperSceneSize paper_scene_size(double scale);
 
-/// The paper's example landscape, made up: a town by a winding river, a highway, fields, forests and hills, centred on
-/// the origin.
+/// The paper's example landscape, made up: a town by a winding river, a highway, fields, forests and hills, whose
+/// south-western corner is the origin.
 ///
 /// The layout follows the side, so that small scenes have some of everything; houses, streets, trees and vehicles keep
 /// their real size. The same options give the same scene. Throws Error when the scale is out of range.
