@@ -31,16 +31,21 @@ int main(int argc, char** argv) {
     return 1;
   }
 
-  /* The radar is 5 km south of the place, a quarter of that high, and looks north. The Earth curves down to the place,
+  /* The radar is 5 km south of the place, a quarter of that above it, and looks north. The Earth curves down to the place,
    * by 1.5 m here and by 590 m from 100 km: over a flat one the bins would lie beside it. */
   const double east = atof(argv[2]), north = atof(argv[3]), away = 5000.0, height = 1250.0;
+  double ground_m = 0.0;
+  if (sigmascape_ground_height(ground, east, north, &ground_m) != 0) {
+    fprintf(stderr, "%s\n", sigmascape_last_error());
+    return 1;
+  }
   const double below = height + away * away / (2.0 * settings.refraction * 6371008.8);
-  sigmascape_pose pose = {.position_m = {east, north - away, height}};
+  sigmascape_pose pose = {.position_m = {east, north - away, ground_m + height}};
   pose.first_azimuth_rad = -0.5 * (double)settings.beams * settings.beam_step_rad;
   pose.first_range_m = sqrt(away * away + below * below) - 0.5 * (double)settings.ranges * settings.range_step_m;
 
   /* A reflector of 1000 m2 on the place, a hundred metres up. */
-  sigmascape_target reflector = {.position_m = {east, north, 100.0}, .rcs_m2 = {1000.0F, 1000.0F, 0.0F, 1000.0F}};
+  sigmascape_target reflector = {.position_m = {east, north, ground_m + 100.0}, .rcs_m2 = {1000.0F, 1000.0F, 0.0F, 1000.0F}};
   if (sigmascape_set_targets(renderer, &reflector, 1) != 0) {
     fprintf(stderr, "%s\n", sigmascape_last_error());
     return 1;

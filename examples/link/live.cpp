@@ -12,9 +12,10 @@
 
 namespace {
 
-void render_once(const char* atlas, sigmascape::Vec3d target) {
+void render_once(const char* atlas, sigmascape::Vec2d place) {
   using namespace sigmascape::render;
   const auto ground = LiveGround::open(atlas, 10e9);
+  const sigmascape::Vec3d target{place.x, place.y, ground->terrain().height_at(place)};
   const LiveSettings settings{.beams = 64, .ranges = 64, .beam_step_rad = 4.0 / 5000.0, .range_step_m = 4.0};
   LiveRenderer renderer(ground, settings);
 
@@ -46,7 +47,7 @@ int main(int argc, char** argv) {
     return 2;
   }
   try {
-    render_once(argv[1], {std::atof(argv[2]), std::atof(argv[3]), 0.0});
+    render_once(argv[1], {std::atof(argv[2]), std::atof(argv[3])});
   } catch (const std::exception& failure) {
     std::cerr << failure.what() << '\n';
     return 1;
