@@ -98,7 +98,7 @@ struct Reader {
 /// What is told of one side alone, as of a ship that is alike on both, would be drawn straight across the other.
 void check_all_round(const std::vector<double>& azimuths_rad, const std::filesystem::path& path) {
   constexpr double widest_in_steps = 2.5;
-  if (azimuths_rad.size() < 3) return;
+  if (azimuths_rad.size() < 2) return;
   double first_gap = azimuths_rad.front() + 2.0 * pi - azimuths_rad.back(), widest = first_gap, second = 0.0;
   double from = azimuths_rad.back(), to = azimuths_rad.front();
   for (std::size_t i = 1; i < azimuths_rad.size(); ++i) {
@@ -112,11 +112,15 @@ void check_all_round(const std::vector<double>& azimuths_rad, const std::filesys
       second = std::max(second, gap);
     }
   }
-  if (widest <= widest_in_steps * second) return;
+  // Bow and stern alone are told all round; of both and a broadside half is missing.
+  constexpr double half_turn = pi * (1.0 - 1e-9);
+  const bool lacks_a_side = widest >= half_turn && second < half_turn;
+  if (!lacks_a_side && widest <= widest_in_steps * second) return;
   throw Error(
       path.string(),
       fmt::format("tells nothing between azimuths of {:g}° and {:g}°", deg_from_radians(from), deg_from_radians(to)),
-      fmt::format("tell it all round, in steps of at most {:g}°", widest_in_steps * deg_from_radians(second)));
+      fmt::format("tell it all round, in steps of at most {:g}°",
+                  (lacks_a_side ? 1.0 : widest_in_steps) * deg_from_radians(second)));
 }
 
 Channels channels_of(const RcsRow& row) {

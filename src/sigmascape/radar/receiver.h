@@ -26,8 +26,8 @@ struct Receiver {
   double noise_figure = 2.0;    ///< noise factor F: power, ≥ 1
   double gain = 1.0;            ///< from the antenna's terminals to the detector or converter: power
   double impedance_ohm = 50.0;  ///< that voltages refer to
-  /// The range gate opens and closes; absent: with what is mapped. Echoes from beyond an unambiguous range after the
-  /// gate's opening fold back into it.
+  /// The range gate opens and closes; absent: with what answers in what is mapped, a few resolutions beside it. Echoes
+  /// from beyond an unambiguous range after the gate's opening fold back into it.
   std::optional<double> first_range_m = {}, last_range_m = {};
   std::optional<SensitivityTimeControl> sensitivity_time_control = {};
   Detector detector = Detector::SquareLaw;

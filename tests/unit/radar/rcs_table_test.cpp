@@ -76,6 +76,11 @@ TEST_F(RcsTableFile, says_in_which_line_it_is_wrong) {
               HasSubstr("vv_hh_correlation is 1.5"));
   EXPECT_THAT(fault_of("azimuth_deg, vv_dbsm, hh_dbsm\n0, 4, 4\n45, 4, 4\n90, 7, 7\n135, 4, 4\n180, 4, 4\n"),
               HasSubstr("ship.csv: tells nothing between azimuths of 180° and 0°; tell it all round"));
+  for (const char* const of_one_side : {"0, 4, 4\n90, 7, 7\n", "0, 4, 4\n90, 7, 7\n180, 4, 4\n"})
+    EXPECT_THAT(fault_of(std::string("azimuth_deg, vv_dbsm, hh_dbsm\n") + of_one_side),
+                HasSubstr("tell it all round, in steps of at most 90°"));
+  for (const char* const all_round : {"0, 4, 4\n180, 7, 7\n", "0, 4, 4\n120, 7, 7\n240, 4, 4\n", "30, 1, 1\n"})
+    EXPECT_EQ(fault_of(std::string("azimuth_deg, vv_dbsm, hh_dbsm\n") + all_round), "");
   EXPECT_EQ(fault_of("azimuth_deg, vv_dbsm, hh_dbsm\n0, 4, 4\n45, 4, 4\n90, 7, 7\n180, 4, 4\n270, 7, 7\n"), "");
   EXPECT_THROW((void)read_rcs_table(folder_.path("nowhere.csv")), Error);
   EXPECT_THROW((void)read_rcs_table(folder_.path(".")), Error);
