@@ -5,7 +5,8 @@ CCACHE := $(shell command -v ccache 2> /dev/null)
 
 # All is said each time, for CMake remembers what it was told last. What includes precompiled headers is not kept by ccache,
 # and several sources compiled as one are seldom the same again. Under the sanitizers each is compiled by itself, too.
-configure = cmake --preset $(1) -DSIGMASCAPE_BENCHMARKS=$(or $(2),OFF) \
+# The second word: whether benchmarks are built; the third: whether tests are, of which those that build without them lack the packages.
+configure = cmake --preset $(1) -DSIGMASCAPE_BENCHMARKS=$(or $(2),OFF) -DSIGMASCAPE_TESTS=$(or $(3),ON) \
 	-DCMAKE_CXX_COMPILER_LAUNCHER=$(CCACHE) -DCMAKE_DISABLE_PRECOMPILE_HEADERS=$(if $(CCACHE),ON,OFF) \
 	-DCMAKE_UNITY_BUILD=$(if $(CCACHE),OFF,$(if $(filter release,$(1)),ON,OFF))
 build = cmake --build build/$(1) --parallel $(JOBS)
@@ -28,14 +29,14 @@ packages-build:
 	@tools/install_packages build
 
 demo: packages-build ## Build, then make the demo's maps and page under out/demo
-	$(call configure,release)
+	$(call configure,release,OFF,OFF)
 	$(call build,release) --target sigmascape_cli
 	build/release/apps/sigmascape/sigmascape demo --out out/demo
 
 measure = build/release/apps/sigmascape/sigmascape results
 
 results-small: packages-build ## Measure how close baked maps come to traced ones, small: a quarter of an hour on two cores
-	$(call configure,release)
+	$(call configure,release,OFF,OFF)
 	$(call build,release) --target sigmascape_cli
 	$(measure) --small --out out/results_small
 
@@ -47,7 +48,7 @@ RESULTS_BILBAO ?= --no-finest-grid --scale 0.2 --held-out 24 --on-grid 4 --repea
 RESULTS_SAN_FRANCISCO ?= --small --scale 0.2 --held-out 24 --on-grid 3 --repeated 1 --samples 32 --traced-samples 384 --finer-samples 256
 
 results: packages-build ## Measure as docs/results was, on real places too, and write it anew: about fourteen hours on two cores, 27 of processor time, goes on where it was broken off
-	$(call configure,release)
+	$(call configure,release,OFF,OFF)
 	$(call build,release) --target sigmascape_cli
 	$(measure) $(RESULTS_PAPER) --out out/results/paper --page docs/results/README.md
 	$(measure) --itu-materials $(RESULTS_ITU) --out out/results/itu --page docs/results/itu/README.md
@@ -82,7 +83,7 @@ validation: packages ## Write docs/physics/validation.md: every case, expected a
 	tools/validation_table out/validation.jsonl docs/physics/validation.md
 
 bench: packages-build ## Measure on this machine, on the paper's scene: hours. JSON lines under out/bench
-	$(call configure,release,ON)
+	$(call configure,release,ON,OFF)
 	$(call build,release) --target benchmarks --target sigmascape_python_package
 	for program in build/release/benchmarks/bench_*; do $$program --out out/bench/$${program##*bench_}.jsonl || exit 1; done
 	PYTHONPATH=build/release/python /usr/bin/python3 benchmarks/python/overhead.py --out out/bench/python.jsonl
