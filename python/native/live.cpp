@@ -55,6 +55,21 @@ py::object numbers_of(const HeldFrame& held, std::span<const Number> numbers) {
   return array_view(numbers.data(), {beams, ranges, 4}, held.renderer, Access::ReadOnly);
 }
 
+/// Where the radar was as each beam was drawn, or once where that was the same for all. Of beams that were never drawn,
+/// which are dark, where it was last.
+std::vector<radar::Motion> platforms_of(const HeldFrame& held) {
+  std::vector<radar::Motion> platforms;
+  bool are_the_same = true;
+  for (const render::DrawnBeam& beam : held.frame.beams) {
+    platforms.push_back(beam.drawing == 0 ? radar::Motion{held.pose.position, held.pose.velocity_mps}
+                                          : radar::Motion{beam.radar, beam.velocity_mps});
+    are_the_same = are_the_same && platforms.back().position == platforms.front().position &&
+                   platforms.back().velocity_mps == platforms.front().velocity_mps;
+  }
+  if (are_the_same) platforms.resize(1);
+  return platforms;
+}
+
 /// The bins are the renderer's: nobody is to draw into them meanwhile.
 void save(const HeldFrame& held, const std::filesystem::path& path, std::optional<double> frequency_ghz) {
   const double own_ghz = held.frame.frequency_hz / 1e9;
@@ -66,9 +81,8 @@ void save(const HeldFrame& held, const std::filesystem::path& path, std::optiona
     throw Error(path.string(), "cannot hold powers", "make the renderer with content='amplitudes'");
   const std::scoped_lock turn(*held.turns);
   render::check_holds(held.frame, path.string());
-  product::write_iq(
-      path, product::iq_record(held.frame.grid, held.frame.amplitudes_m, {held.pose.position, held.pose.velocity_mps},
-                               held.frame.frequency_hz, held.words));
+  product::write_iq(path, product::iq_record(held.frame.grid, held.frame.amplitudes_m, platforms_of(held),
+                                             held.frame.frequency_hz, held.words));
 }
 
 /// Whoever has the turn may be at a long frame.

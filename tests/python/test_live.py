@@ -91,6 +91,18 @@ def test_a_frame_is_saved_before_the_next_is_drawn(atlas, tmp_path):
     second.save(tmp_path / "second.npy", frequency_ghz=10.0)
 
 
+def test_a_scanned_frame_is_saved_with_a_place_for_each_beam(atlas, tmp_path):
+    renderer = renderer_of(atlas)
+    renderer.render(PLACE, **POSE).save(tmp_path / "whole.npz")
+    assert np.load(tmp_path / "whole.npz")["platform_position_m"].tolist() == [list(PLACE)]
+    there = (PLACE[0] + 5.0, PLACE[1], PLACE[2])
+    renderer.scan(there, **POSE, first_beam=3, count=2, velocity_mps=(50.0, 0.0, 0.0)).save(tmp_path / "scanned.npz")
+    scanned = np.load(tmp_path / "scanned.npz")
+    beams = len(scanned["azimuth_rad"])
+    assert scanned["platform_position_m"].tolist() == [list(there if beam in (3, 4) else PLACE) for beam in range(beams)]
+    assert scanned["platform_velocity_mps"][:, 0].tolist() == [50.0 if beam in (3, 4) else 0.0 for beam in range(beams)]
+
+
 def test_a_frame_is_saved_with_its_own_frequency(atlas, tmp_path):
     frame = renderer_of(atlas).render(PLACE, **POSE)
     frame.save(tmp_path / "frame.npy")

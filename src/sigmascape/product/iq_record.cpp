@@ -206,7 +206,7 @@ IqRecord iq_record(const radar::StripmapImage& image, const radar::Radar& radar,
 }
 
 IqRecord iq_record(const radar::RangeAzimuthGrid& grid, std::span<const std::complex<float>> amplitudes_m,
-                   const radar::Motion& platform, double frequency_hz, std::map<std::string, std::string> words) {
+                   std::vector<radar::Motion> platform, double frequency_hz, std::map<std::string, std::string> words) {
   words["software"] = software_name();
   std::map<std::string, double> numbers = numbers_taken_from(words);
   numbers.insert({{"frequency_hz", frequency_hz}, {"range_step_m", grid.range_step_m}});
@@ -219,7 +219,7 @@ IqRecord iq_record(const radar::RangeAzimuthGrid& grid, std::span<const std::com
                    evenly(grid.first_range_m + grid.range_step_m / 2.0, grid.range_step_m, grid.ranges)},
           .polarizations = {"VV", "HH", "HV", "VH"},
           .samples = amplitudes_m,
-          .platform = {platform},
+          .platform = std::move(platform),
           .numbers = std::move(numbers),
           .words = std::move(words)};
 }

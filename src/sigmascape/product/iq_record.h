@@ -37,8 +37,9 @@ struct IqRecord {
 };
 
 /// What comes out of `simulate::phase_history`, of `simulate::range_doppler_image` and `stripmap_image`, and of a live
-/// renderer: `amplitudes_m` is [beam][range][VV, HH, HV, VH]. `words` says where it comes from, of which what is a
-/// number becomes one (told_numbers.h); the radar's own facts are added. What is passed must outlive the record.
+/// renderer: `amplitudes_m` is [beam][range][VV, HH, HV, VH], `platform` one for all beams or one for each. `words`
+/// says where it comes from, of which what is a number becomes one (told_numbers.h); the radar's own facts are added.
+/// What is passed must outlive the record.
 [[nodiscard]] IqRecord iq_record(const radar::PhaseHistory& history, const radar::Radar& radar,
                                  std::map<std::string, std::string> words = {});
 [[nodiscard]] IqRecord iq_record(const radar::RangeDopplerImage& image, const radar::Radar& radar,
@@ -46,7 +47,7 @@ struct IqRecord {
 [[nodiscard]] IqRecord iq_record(const radar::StripmapImage& image, const radar::Radar& radar,
                                  std::map<std::string, std::string> words = {});
 [[nodiscard]] IqRecord iq_record(const radar::RangeAzimuthGrid& grid, std::span<const std::complex<float>> amplitudes_m,
-                                 const radar::Motion& platform, double frequency_hz,
+                                 std::vector<radar::Motion> platform, double frequency_hz,
                                  std::map<std::string, std::string> words = {});
 
 }  // namespace sigmascape::product

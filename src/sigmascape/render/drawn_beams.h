@@ -15,6 +15,7 @@ namespace sigmascape::render {
 struct DrawnBeam {
   Vec3d radar = {};           ///< as Pose::position
   std::uint64_t drawing = 0;  ///< its number among all drawings of the process, from 1 on; 0: never, and it is dark
+  Vec3d velocity_mps = {};    ///< as Pose::velocity_mps
 
   /// In place of the number while a beam is drawn, and ever after where that was broken off.
   static constexpr std::uint64_t unfinished = std::numeric_limits<std::uint64_t>::max();
@@ -33,8 +34,8 @@ class DrawnBeams {
   /// From here on the bins of beams first … first + count − 1 change. What a drawing leaves that breaks off is thus
   /// neither taken for what was there before nor for a whole one.
   void begin(std::size_t first, std::size_t count);
-  /// They hold what that place sees of them. Returns the drawing's number.
-  std::uint64_t end(Vec3d radar);
+  /// They hold what a radar at that place, which flies so, sees of them. Returns the drawing's number.
+  std::uint64_t end(Vec3d radar, Vec3d velocity_mps = {});
   /// They hold what another frame of as many beams does.
   void end_as_in(std::span<const DrawnBeam> other);
 

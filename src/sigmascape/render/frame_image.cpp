@@ -64,13 +64,19 @@ std::vector<radar::Echo> echoes_of(const receiver::TargetsApart& targets) {
   return echoes;
 }
 
+/// Whatever images its mode would make: frames are what a beam sees that goes round.
+radar::Radar that_scans(radar::Radar radar) {
+  radar.mode = radar::Mode::RealBeam;
+  return radar;
+}
+
 /// `weigh(hearing, beam, weights)` says how strongly the ground of a beam is heard.
 template <typename Weigh>
 radar::RangeAzimuthImage heard_image(const Frame& frame, const radar::Radar& radar, Weigh&& weigh) {
   check_frequency(frame, radar);
   radar::RangeAzimuthImage image = dark_image(frame);
   const radar::RangeAzimuthGrid& grid = image.grid;
-  const GroundHearing hearing(radar, grid);
+  const GroundHearing hearing(that_scans(radar), grid);
   Array2D<radar::Channels> heard(grid.ranges, grid.azimuths);
   std::vector<radar::Channels> held(grid.ranges);
   std::vector<float> weights(grid.ranges);
@@ -127,8 +133,8 @@ GroundHeight ground_below(const Frame& frame, const LiveGround& ground) {
   const FrameReach reach{0.0, farthest_ground_m(frame.earth, last_range_m(grid))};
   std::optional<radar::Rectangle> seen;
   for (std::size_t beam = 0; beam < grid.azimuths; ++beam) {
-    const auto& [radar, drawing] = frame.beams[beam];
-    if (drawing == 0) continue;
+    const Vec3d radar = frame.beams[beam].radar;
+    if (frame.beams[beam].drawing == 0) continue;
     const double left_rad = grid.first_azimuth_rad + static_cast<double>(beam) * grid.azimuth_step_rad;
     const radar::Rectangle below = ground_under({radar.x, radar.y}, left_rad, grid.azimuth_step_rad, reach);
     seen = seen ? radar::joined(*seen, below) : below;

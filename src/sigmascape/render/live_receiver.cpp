@@ -53,6 +53,8 @@ void LiveReceiver::Responses::move_to(const radar::RangeAzimuthGrid& grid) {
 LiveReceiver::LiveReceiver(radar::Radar radar, radar::Polarization polarization, KeptGround ground, unsigned threads)
     : radar_(std::move(radar)), polarization_(polarization), ground_(std::move(ground)), team_(threads) {
   receiver::check_receivable(polarization_);
+  // Whatever images its mode would make: frames are what a beam sees that goes round.
+  radar_.mode = radar::Mode::RealBeam;
   if (!ground_.is_known() && !radar::antenna_pattern(radar_).elevation().even()) {
     throw Error(radar::title_of(radar_), "has an antenna that tells elevations apart, which bins do not",
                 "give the ground that they lie on too, or an antenna that is even in elevation");
@@ -121,8 +123,9 @@ LiveReceiver::Beams LiveReceiver::over_one_window(const Frame& frame, Beams beam
   std::optional<Vec3d> covered;
   std::size_t count = 0;
   for (; count < beams.count; ++count) {
-    const auto& [radar, drawing] = frame.beams[(beams.first + count) % grid_.azimuths];
-    if (drawing == 0 || radar == covered) continue;
+    const DrawnBeam& beam = frame.beams[(beams.first + count) % grid_.azimuths];
+    const Vec3d radar = beam.radar;
+    if (beam.drawing == 0 || radar == covered) continue;
     if (covered && !ground_.covers(grid_, {radar.x, radar.y}, frame.earth)) break;
     if (!covered) ground_.cover(grid_, {radar.x, radar.y}, frame.earth);
     covered = radar;

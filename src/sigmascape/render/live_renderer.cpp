@@ -261,7 +261,7 @@ void LiveRenderer::fill(const Pose& pose, Beams beams) {
     tasks_[worker]->fill(pose, {first, end - first}, levels);
     add_targets(first, end - first);
   });
-  frame_.drawing = beams_.end(pose.position);
+  frame_.drawing = beams_.end(pose.position, pose.velocity_mps);
 
   wanted_.clear();
   for (const auto& task : tasks_) {

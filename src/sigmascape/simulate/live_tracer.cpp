@@ -134,7 +134,7 @@ const render::Frame& LiveTracer::scan(const render::Pose& pose, std::size_t firs
   std::ranges::fill(std::span(bins_).subspan(beams.first * numbers_a_beam, beams.count * numbers_a_beam), 0.0F);
   if (ground != nullptr) show_ground(pose, *ground);
   add_targets(pose, beams);
-  frame_.drawing = drawn_.end(pose.position);
+  frame_.drawing = drawn_.end(pose.position, pose.velocity_mps);
   return frame_;
 }
 

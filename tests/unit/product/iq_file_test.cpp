@@ -152,7 +152,8 @@ TEST(IqFile, HasASampleRateOverSlantRangeAlone) {
                                      .first_azimuth_rad = 0.0,
                                      .azimuth_step_rad = 0.01,
                                      .azimuths = 2};
-  EXPECT_DOUBLE_EQ(global_of(iq_record(grid, frame, {}, 10e9))["core:sample_rate"], 299'792'458.0 / 5.0);
+  EXPECT_DOUBLE_EQ(global_of(iq_record(grid, frame, std::vector{radar::Motion{}}, 10e9))["core:sample_rate"],
+                   299'792'458.0 / 5.0);
 }
 
 TEST(IqFile, SaysHowTheEarthBendsAndAboutWhichFoot) {

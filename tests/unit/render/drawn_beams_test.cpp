@@ -23,13 +23,14 @@ TEST(DrawnBeams, SayWhenTheyWereDrawnAndFromWhere) {
   beams.begin(0, 6);
   const std::uint64_t first = beams.end(here);
   beams.begin(2, 2);
-  const std::uint64_t second = beams.end(there);
+  const std::uint64_t second = beams.end(there, {0.0, 7.0, 0.0});
   EXPECT_GT(first, 0U);
   EXPECT_GT(second, first);
   for (std::size_t beam = 0; beam < 6; ++beam) {
     const bool is_of_second = beam == 2 || beam == 3;
     EXPECT_EQ(beams.all()[beam].drawing, is_of_second ? second : first) << beam;
     EXPECT_EQ(beams.all()[beam].radar, is_of_second ? there : here) << beam;
+    EXPECT_EQ(beams.all()[beam].velocity_mps, (is_of_second ? Vec3d{0.0, 7.0, 0.0} : Vec3d{})) << beam;
   }
   EXPECT_EQ(drawn_last(beams.all()).radar, there);
   EXPECT_NO_THROW(check_holds(frame_of(beams, second), "test"));

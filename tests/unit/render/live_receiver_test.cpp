@@ -12,6 +12,7 @@
 #include <numbers>
 #include <optional>
 #include <set>
+#include <span>
 #include <string>
 #include <thread>
 #include <vector>
@@ -689,6 +690,23 @@ std::string refused(Call&& call) {
     return error.what();
   }
   return "is not refused";
+}
+
+// Of a radar's mode nothing is taken: a frame's beams are where it scans.
+TEST(LiveReceiver, BeamsThatAScanNeverComesToAreUnheardInEveryMode) {
+  const MadeFrame made(sector, 3, 0);
+  radar::Radar radar = radar_of(sector);
+  const double middle_rad =
+      sector.first_azimuth_rad + 0.5 * static_cast<double>(sector.azimuths) * sector.azimuth_step_rad;
+  radar.scan = {.kind = radar::ScanKind::Fixed, .azimuth_rad = middle_rad};
+  const auto unheard = [&](radar::Mode mode) {
+    radar.mode = mode;
+    LiveReceiver receiver(radar, Polarization::VV);
+    const std::span<const float> signal_w = receiver.hear(made.frame()).signal_w;
+    return std::ranges::count_if(signal_w, [](float watts) { return std::isnan(watts); });
+  };
+  EXPECT_GT(unheard(radar::Mode::RealBeam), 0);
+  EXPECT_EQ(unheard(radar::Mode::Spotlight), unheard(radar::Mode::RealBeam));
 }
 
 TEST(LiveReceiver, RefusesWhatWouldGiveWattsThatNobodyReceives) {
