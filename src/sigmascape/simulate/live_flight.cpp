@@ -60,69 +60,87 @@ LiveFlight::LiveFlight(const scene::Scene& scene, const trace::SceneGeometry& ge
     powers_m2_.resize(beams_ * numbers_a_beam_);
 }
 
-const render::Frame& LiveFlight::render(const render::Pose& pose) {
-  choose(pose);
-  if (textured_share_ == 0.0) {
-    frame_ = tracer_.render(pose);
-  } else if (textured_share_ == 1.0) {
-    frame_ = renderer_.render(pose);
-  } else {
-    // Either may refuse, and has the other's frame then if the last one lies there.
-    keep();
-    const render::Frame& textured = renderer_.render(pose);
-    blend(tracer_.render(pose), textured, {0, beams_ * numbers_a_beam_});
+template <typename Draw>
+void LiveFlight::go_on(const render::Pose& pose, const Draw& draw) {
+  const Course before = std::exchange(course_, course_to(pose));
+  try {
+    draw();
+  } catch (...) {
+    course_ = before;
+    throw;
   }
+}
+
+const render::Frame& LiveFlight::render(const render::Pose& pose) {
+  go_on(pose, [&] {
+    if (course_.textured_share == 0.0) {
+      frame_ = tracer_.render(pose);
+    } else if (course_.textured_share == 1.0) {
+      frame_ = renderer_.render(pose);
+    } else {
+      // Either may refuse, and has the other's frame then if the last one lies there.
+      keep();
+      const render::Frame& textured = renderer_.render(pose);
+      blend(tracer_.render(pose), textured, {0, beams_ * numbers_a_beam_});
+    }
+  });
   return frame_;
 }
 
 const render::Frame& LiveFlight::scan(const render::Pose& pose, std::size_t first_beam, std::size_t count) {
   render::check_step(first_beam, count, beams_);
-  choose(pose);
-  keep();
   count = std::min(count, beams_ - first_beam);
   const Part part{first_beam * numbers_a_beam_, count * numbers_a_beam_};
-  if (textured_share_ == 0.0) {
-    copy(tracer_.scan(pose, first_beam, count), part);
-  } else if (textured_share_ == 1.0) {
-    copy(renderer_.scan(pose, first_beam, count), part);
-  } else {
-    const render::Frame& textured = renderer_.scan(pose, first_beam, count);
-    blend(tracer_.scan(pose, first_beam, count), textured, part);
-  }
+  go_on(pose, [&] {
+    keep();
+    if (course_.textured_share == 0.0) {
+      copy(tracer_.scan(pose, first_beam, count), part);
+    } else if (course_.textured_share == 1.0) {
+      copy(renderer_.scan(pose, first_beam, count), part);
+    } else {
+      const render::Frame& textured = renderer_.scan(pose, first_beam, count);
+      blend(tracer_.scan(pose, first_beam, count), textured, part);
+    }
+  });
   return frame_;
 }
 
-void LiveFlight::choose(const render::Pose& pose) {
+LiveFlight::Course LiveFlight::course_to(const render::Pose& pose) const {
   const render::DetailQuestion question = render::with_ground(tracer_.question(pose), *ground_);
   // What is being left is as good as left: a change that has begun is gone on with.
-  const render::DetailSettings detail = begun_ ? settings_in_use(flight_.detail, choice_.level == 0) : flight_.detail;
-  choice_ = render::choose_detail(question, detail);
-  can_trace_ = tracer_.can_trace(pose);
-  const double wanted = choice_.level == 0 ? 0.0 : 1.0, step = begun_ ? 1.0 / flight_.frames_a_change : 1.0;
-  textured_share_ =
-      wanted > textured_share_ ? std::min(textured_share_ + step, wanted) : std::max(textured_share_ - step, wanted);
+  const render::DetailSettings detail =
+      course_.has_begun ? settings_in_use(flight_.detail, course_.choice.level == 0) : flight_.detail;
+  Course course{.choice = render::choose_detail(question, detail),
+                .textured_share = course_.textured_share,
+                .has_begun = true,
+                .can_trace = tracer_.can_trace(pose)};
+  const double wanted = course.choice.level == 0 ? 0.0 : 1.0,
+               step = course_.has_begun ? 1.0 / flight_.frames_a_change : 1.0;
+  double& share = course.textured_share;
+  share = wanted > share ? std::min(share + step, wanted) : std::max(share - step, wanted);
   // Thirty thirtieths are not quite one.
-  if (std::abs(textured_share_ - wanted) < 0.5 * step) textured_share_ = wanted;
+  if (std::abs(share - wanted) < 0.5 * step) share = wanted;
   // What cannot be traced gives way at once: there is nothing to share with.
-  if (!can_trace_) textured_share_ = 1.0;
-  begun_ = true;
+  if (!course.can_trace) share = 1.0;
+  return course;
 }
 
 void LiveFlight::blend(const render::Frame& traced, const render::Frame& textured, Part part) {
   begin_beams(part);
   frame_.grid = traced.grid;
-  frame_.report = textured_share_ < 0.5 ? traced.report : textured.report;
+  frame_.report = course_.textured_share < 0.5 ? traced.report : textured.report;
   const auto& [first, count] = part;
   if (amplitudes_m_.empty()) {
-    blend_powers(traced.powers_m2.subspan(first, count), textured.powers_m2.subspan(first, count), textured_share_,
-                 std::span(powers_m2_).subspan(first, count));
+    blend_powers(traced.powers_m2.subspan(first, count), textured.powers_m2.subspan(first, count),
+                 course_.textured_share, std::span(powers_m2_).subspan(first, count));
     frame_.powers_m2 = powers_m2_;
   } else {
     blend_amplitudes(traced.amplitudes_m.subspan(first, count), textured.amplitudes_m.subspan(first, count),
-                     textured_share_, std::span(amplitudes_m_).subspan(first, count));
+                     course_.textured_share, std::span(amplitudes_m_).subspan(first, count));
     frame_.amplitudes_m = amplitudes_m_;
   }
-  target_blend_.blend(traced, textured, textured_share_, first / numbers_a_beam_, count / numbers_a_beam_, targets_);
+  target_blend_.blend(traced, textured, course_.textured_share, first / numbers_a_beam_, count / numbers_a_beam_,
+                      targets_);
   frame_.targets = targets_.all();
   // Which was drawn after the other.
   end_beams(traced);
@@ -181,15 +199,15 @@ void LiveFlight::keep() {
 }
 
 std::string LiveFlight::explained() const {
-  std::string text = render::explained(choice_);
-  if (!can_trace_ && choice_.level == 0) {
+  std::string text = render::explained(course_.choice);
+  if (!course_.can_trace && course_.choice.level == 0) {
     text +=
         "  from textures all the same: the radar does not stand above all of the scene, or looks at more of it than "
         "may be traced\n";
   }
-  if (textured_share_ > 0.0 && textured_share_ < 1.0) {
+  if (course_.textured_share > 0.0 && course_.textured_share < 1.0) {
     text += fmt::format("  on the way there: {:.0f} % of the power is traced, the rest from textures\n",
-                        100.0 * (1.0 - textured_share_));
+                        100.0 * (1.0 - course_.textured_share));
   }
   return text;
 }

@@ -53,15 +53,24 @@ class LiveFlight {
 
   /// What the last pose asked for, and why: level 0 to be traced. What is shown follows over some frames, or stays
   /// textures where the pose cannot be traced.
-  [[nodiscard]] const render::DetailChoice& choice() const { return choice_; }
+  [[nodiscard]] const render::DetailChoice& choice() const { return course_.choice; }
   /// Part of the last frame's power, or that of the last step's beams, that comes from textures: 0 where it is traced,
   /// 1 from textures.
-  [[nodiscard]] double textured_share() const { return textured_share_; }
+  [[nodiscard]] double textured_share() const { return course_.textured_share; }
   /// A few lines for people: render::explained, and what is shown meanwhile.
   [[nodiscard]] std::string explained() const;
 
  private:
-  void choose(const render::Pose& pose);
+  /// What the last pose asked for, and how far it is shown.
+  struct Course {
+    render::DetailChoice choice;
+    double textured_share = 0.0;
+    bool has_begun = false, can_trace = true;
+  };
+  [[nodiscard]] Course course_to(const render::Pose& pose) const;
+  /// Goes on to a pose by drawing what it asks for; where that is refused the course is what it was.
+  template <typename Draw>
+  void go_on(const render::Pose& pose, const Draw& draw);
   /// Numbers of a frame: some beams', or all.
   struct Part {
     std::size_t first = 0, count = 0;
@@ -81,10 +90,8 @@ class LiveFlight {
   LiveFlightSettings flight_;
   LiveTracer tracer_;
   render::LiveRenderer renderer_;
-  render::DetailChoice choice_;
   std::size_t beams_, numbers_a_beam_;
-  double textured_share_ = 0.0;
-  bool begun_ = false, can_trace_ = true;
+  Course course_;
   // What was shown last, unless it lies where the tracer or the renderer has it.
   std::vector<float> powers_m2_;
   std::vector<std::complex<float>> amplitudes_m_;

@@ -294,6 +294,23 @@ TEST_F(LiveFlightTest, WhatIsInUseIsKeptNearWhereTheChoiceChanges) {
   EXPECT_EQ(from_near.textured_share(), 0.0);
 }
 
+// Textures are not shown from below the ground, and here they would be part of what is shown.
+TEST_F(LiveFlightTest, ARefusedPoseChangesNothing) {
+  LiveFlight live = flight(FrameContent::Powers);
+  live.render(pose(1.9));
+  live.render(pose(3.0));
+  live.render(pose(3.0));
+  const double share = live.textured_share();
+  ASSERT_NEAR(share, 2.0 / frames_a_change, 1e-12);
+  render::Pose below = pose(1.9);
+  below.position = {example_.middle().x, example_.middle().y, -1000.0};
+  EXPECT_THROW(live.render(below), Error);
+  EXPECT_THROW(live.scan(below, 0, 4), Error);
+  EXPECT_EQ(live.textured_share(), share);
+  live.render(pose(3.0));
+  EXPECT_NEAR(live.textured_share(), 3.0 / frames_a_change, 1e-12);
+}
+
 TEST_F(LiveFlightTest, WhatCannotBeTracedIsShownFromTextures) {
   LiveFlight live = flight(FrameContent::Powers);
   const LiveTracer tracer = this->tracer(FrameContent::Powers);
