@@ -24,7 +24,7 @@ Store create_building_textures(const Store& atlas, std::vector<StoreFault>* mend
 }
 
 Store open_building_textures(const Store& atlas) {
-  return Store::open(atlas.folder() / building_textures_folder);
+  return open_layer_store(atlas, building_textures_folder);
 }
 
 std::optional<StoreFault> building_textures_fault(const Store& atlas) {

@@ -6,6 +6,7 @@
 #include "sigmascape/atlas/building_file.h"
 #include "sigmascape/atlas/layer_store.h"
 #include "sigmascape/atlas/obstacle_file.h"
+#include "sigmascape/atlas/pyramid.h"
 
 namespace sigmascape::atlas {
 namespace {
@@ -31,10 +32,15 @@ radar::ObstacleMap load_obstacles(const Store& atlas) {
   return map;
 }
 
+/// Without noise, and the same over wide ground, so that rounding to fewer bits would shift all of it one way: it keeps
+/// all of a half's, which take next to no room.
 LayerStore layer_of(const Store& atlas, const std::vector<double>& elevations_rad) {
-  return {ground_folder,
-          layer_description(atlas.description(), "ground", "ground without what stands on it, from any azimuth",
-                            {{0.0}, elevations_rad, atlas.description().aspects.frequencies_hz})};
+  LayerStore layer{
+      ground_folder,
+      layer_description(atlas.description(), "ground", "ground without what stands on it, from any azimuth",
+                        {{0.0}, elevations_rad, atlas.description().aspects.frequencies_hz})};
+  layer.description.mantissa_bits = pyramid_bits;
+  return layer;
 }
 
 }  // namespace
@@ -65,7 +71,7 @@ std::filesystem::path ground_folder_of(const Store& atlas) {
 }
 
 Store open_ground_store(const Store& atlas) {
-  return Store::open(ground_folder_of(atlas));
+  return open_layer_store(atlas, ground_folder);
 }
 
 GroundLayers load_ground_layers(const Store& atlas, const LoadOptions& options) {

@@ -53,6 +53,12 @@ Store create_layer_store(const Store& atlas, const LayerStore& layer, std::vecto
   return Store::create(folder, layer.description);
 }
 
+Store open_layer_store(const Store& atlas, std::string_view folder) {
+  if (auto fault = unread_collection_fault(atlas, folder))
+    throw Error((atlas.folder() / fault->file).string(), fault->what, bake_again);
+  return Store::open(atlas.folder() / folder);
+}
+
 std::optional<StoreFault> layer_collection_fault(const Store& atlas, const LayerStore& layer) {
   if (auto fault = unread_collection_fault(atlas, layer.folder)) return fault;
   return fault_of_any(atlas, layer);

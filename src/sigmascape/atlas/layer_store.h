@@ -33,6 +33,9 @@ inline constexpr const char* layer_setting = "layer";
 /// What is wrong with its collection, if anything, by itself and held against what follows from the atlas.
 [[nodiscard]] std::optional<StoreFault> layer_collection_fault(const Store& atlas, const LayerStore& layer);
 
+/// Throws Error when there is none that can be understood: the bake mends it.
+[[nodiscard]] Store open_layer_store(const Store& atlas, std::string_view folder);
+
 /// What is wrong with the collection in that folder of an atlas by itself: there is none that can be understood.
 [[nodiscard]] std::optional<StoreFault> unread_collection_fault(const Store& atlas, std::string_view folder);
 
