@@ -109,6 +109,8 @@ std::optional<Range> optional_range(const TomlSection& section, std::string_view
 
 void read_sequence(const TomlSection& section, DatasetSpec& spec) {
   Sequence& sequence = spec.sequence;
+  scene::refuse_without(section, "interval_s", "frames", section.has("frames"));
+  scene::refuse_without(section, "course_deg", "speed_mps", section.has("speed_mps"));
   sequence.frames = static_cast<std::size_t>(section.whole_number_or("frames", {1.0, 10'000.0, "frames"}, 1));
   sequence.interval_s = section.number_or("interval_s", {1e-3, 1e4, "s"}, 1.0);
   sequence.speed_mps = optional_range(section, "speed_mps", {0.0, 20'000.0, "m/s"}).value_or(Range{});
@@ -198,6 +200,7 @@ TargetClass target_class(const TomlSection& section) {
                             radians_from_deg(1.0)),
       .east_m = optional_range(section, "east_m", anywhere_m),
       .north_m = optional_range(section, "north_m", anywhere_m)};
+  scene::refuse_without(section, "heading_deg", "speed_mps", section.has("speed_mps"));
   if (target.name.empty()) throw section.fault("name", "is empty", "give the class a name");
   if (target.number.lowest != std::floor(target.number.lowest) ||
       target.number.highest != std::floor(target.number.highest)) {

@@ -256,7 +256,7 @@ void SampleMaker::check_views() const {
     if (spec_.elevation_rad.lowest < baked.front() - slack_rad ||
         spec_.elevation_rad.highest > baked.back() + slack_rad) {
       throw Error(file + ": view.elevation_deg",
-                  fmt::format("leads outside the atlas, which was baked from {:.1f} to {:.1f} degrees",
+                  fmt::format("leads outside the atlas, which was baked from {:.6g} to {:.6g} degrees",
                               deg_from_radians(baked.front()), deg_from_radians(baked.back())),
                   "stay within these, or bake more elevations");
     }

@@ -61,7 +61,9 @@ Range within(const std::optional<Range>& asked, Range possible, const DatasetSpe
   throw Error(
       fmt::format("{}: view.{}", spec.file.string(), key),
       fmt::format("puts maps of {:.0f} m a side beyond the scene", static_cast<double>(spec.cells) * spec.cell_m),
-      fmt::format("stay within {:.1f} and {:.1f}", possible.lowest, possible.highest));
+      // Inwards, so that what is advised is not refused.
+      fmt::format("stay within {:.1f} and {:.1f}", std::ceil(possible.lowest * 10.0) / 10.0,
+                  std::floor(possible.highest * 10.0) / 10.0));
 }
 
 Range about(double middle, const std::optional<Range>& asked, Range all) {

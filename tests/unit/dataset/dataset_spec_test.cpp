@@ -47,6 +47,15 @@ TEST_F(DatasetSpecFile, KeepsSequencesWithinReach) {
               HasSubstr("sequence.speed_mps: takes the radar as far as 3020 km away; stay within 1000 km"));
 }
 
+TEST_F(DatasetSpecFile, RefusesKeysThatWouldDoNothing) {
+  EXPECT_THAT(fault_of("4", "[sequence]\ninterval_s = 5\n"),
+              HasSubstr("sequence.interval_s: stands without frames; add frames or remove it"));
+  EXPECT_THAT(fault_of("4", "[sequence]\nframes = 2\ncourse_deg = [0, 90]\n"),
+              HasSubstr("sequence.course_deg: stands without speed_mps"));
+  EXPECT_THAT(fault_of("4", "[[targets]]\nname = \"car\"\nnumber = [1, 2]\nrcs_dbsm = [3, 9]\nheading_deg = [0, 9]\n"),
+              HasSubstr("heading_deg: stands without speed_mps"));
+}
+
 TEST_F(DatasetSpecFile, RefusesRadarsOfOtherModes) {
   radar_ = "beam_width_deg = 2.0\n[platform]\nspeed_mps = 150\n[mode]\nkind = \"spotlight\"\n";
   EXPECT_THAT(
@@ -104,7 +113,7 @@ TEST_F(DatasetSpecFile, RefusesPulsesForWhoseBandACarrierHasNoRoom) {
 
 TEST_F(DatasetSpecFile, TellsHowToWriteBearingsAcrossNorth) {
   const auto course = [&](const char* ends) {
-    return fault_of("4", std::string("[sequence]\nframes = 2\ncourse_deg = ") + ends + "\n");
+    return fault_of("4", std::string("[sequence]\nframes = 2\nspeed_mps = [90, 90]\ncourse_deg = ") + ends + "\n");
   };
   EXPECT_THAT(course("[350, 10]"), HasSubstr("sequence.course_deg: begins at 350 and ends before that, at 10; write "
                                              "[350, 370] for what leads across north, or else put the smaller number "

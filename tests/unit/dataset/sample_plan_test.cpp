@@ -116,6 +116,12 @@ TEST(SamplePlan, RefusesMapsThatDoNotFit) {
   spec.target_east_m = Range{10.0, 100.0};
   EXPECT_NE(message_of_error([&] { (void)centres_of(spec, scene_extent); }).find("stay within 50.0 and 250.0"),
             std::string::npos);
+  // What is advised is not refused.
+  const radar::Rectangle uneven{-127.957, -127.957, 124.144, 124.144};
+  EXPECT_NE(message_of_error([&] { (void)centres_of(spec, uneven); }).find("stay within -77.9 and 74.1"),
+            std::string::npos);
+  spec.target_east_m = Range{-77.9, 74.1};
+  EXPECT_NO_THROW((void)centres_of(spec, uneven));
   spec.cells = 101;
   EXPECT_NE(message_of_error([&] { (void)centres_of(spec, scene_extent); }).find("larger than the scene"),
             std::string::npos);
