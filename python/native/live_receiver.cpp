@@ -82,10 +82,10 @@ void add_live_receiver(py::module_& module) {
           py::init(&made_receiver), py::arg("radar"),
           py::arg("ground") = static_cast<const Held<render::LiveGround>*>(nullptr), py::kw_only(),
           py::arg("polarization") = "vv", py::arg("threads") = 0,
-          "radar: of whose place and mode nothing is taken but the scan. ground: that the bins lie on, which says "
-          "from\n"
-          "how far below the radar they answer; a Scene for frames of a LiveTracer. Only an antenna that is even in\n"
-          "elevation does without. polarization: 'vv', 'hh', 'hv' or 'vh'. Raises Error for 'sum', and without ground\n"
+          "radar: of whose place and mode nothing is taken but the scan, an azimuth of which is counted from the\n"
+          "frame's north as those of poses are. ground: that the bins lie on, which says from how far below the radar\n"
+          "they answer; a Scene for frames of a LiveTracer. Only an antenna that is even in elevation does without.\n"
+          "polarization: 'vv', 'hh', 'hv' or 'vh'. Raises Error for 'sum', and without ground\n"
           "for an antenna that tells elevations apart.")
       .def("hear", &hear, py::arg("frame"),
            "float32 [beam, range]: mean power of a compressed pulse with the beam's axis in the bin's middle, W;\n"

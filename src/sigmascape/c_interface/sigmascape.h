@@ -194,9 +194,10 @@ enum sigmascape_polarization { SIGMASCAPE_VV = 0, SIGMASCAPE_HH = 1, SIGMASCAPE_
 /* A radar that hears live frames: one for each that frames are heard with, in each polarization. */
 typedef struct sigmascape_receiver sigmascape_receiver;
 
-/* Of a radar file (docs/radar_file.md), of whose place and mode nothing is taken but the scan. The ground that bins lie
- * on says from how far below the radar they answer: that of `ground`, or of `scene`, whichever is not null, the former
- * of both. For an antenna that is even in elevation both may be null. `threads`: 0: one a hardware thread; has no
+/* Of a radar file (docs/radar_file.md), of whose place and mode nothing is taken but the scan, an azimuth of which is
+ * counted from the frame's north as those of poses are, wherever the file places the radar. The ground that bins lie on
+ * says from how far below the radar they answer: that of `ground`, or of `scene`, whichever is not null, the former of
+ * both. For an antenna that is even in elevation both may be null. `threads`: 0: one a hardware thread; has no
  * effect on the result. Ground and scene are kept. Null when the file cannot be read, or when the antenna tells
  * elevations apart and there is no ground. */
 sigmascape_receiver* sigmascape_make_receiver(const char* radar_file, enum sigmascape_polarization polarization,

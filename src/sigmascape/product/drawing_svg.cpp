@@ -16,6 +16,8 @@ std::string escaped(const std::string& text) {
       out += "&amp;";
     } else if (c == '<') {
       out += "&lt;";
+    } else if (static_cast<unsigned char>(c) < 0x20) {
+      out += ' ';  // of which XML knows next to none
     } else {
       out += c;
     }
