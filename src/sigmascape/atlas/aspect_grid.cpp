@@ -133,10 +133,9 @@ void check_frequency(const AspectGrid& grid, double frequency_hz) {
   const double lowest = grid.frequencies_hz.front(), highest = grid.frequencies_hz.back();
   if (frequency_hz >= lowest * 0.99 && frequency_hz <= highest * 1.01) return;
   throw Error("frequency", fmt::format("{:g} GHz is not in this atlas", frequency_hz / 1e9),
-              lowest == highest
-                  ? fmt::format("it was baked at {:g} GHz: use that, extrapolate, or bake another", lowest / 1e9)
-                  : fmt::format("it was baked from {:g} to {:g} GHz: stay there, extrapolate, or bake another",
-                                lowest / 1e9, highest / 1e9));
+              lowest == highest ? fmt::format("it was baked at {:g} GHz: use that, or bake another", lowest / 1e9)
+                                : fmt::format("it was baked from {:g} to {:g} GHz: stay there, or bake another",
+                                              lowest / 1e9, highest / 1e9));
 }
 
 AspectWeights weights_for(const AspectGrid& grid, const radar::Aspect& aspect, double frequency_hz) {
