@@ -13,6 +13,7 @@
 #include "sigmascape/base/error.h"
 #include "sigmascape/base/units.h"
 #include "sigmascape/geo/axis_units.h"
+#include "sigmascape/geo/coordinate_reference_system.h"
 #include "sigmascape/geo/geo_raster.h"
 #include "sigmascape/product/decibels.h"
 
@@ -29,8 +30,8 @@ constexpr ChannelBand channel_bands[] = {{"VV", &radar::Channels::vv},
                                          {"HV", &radar::Channels::hv},
                                          {"RE_VVHH", &radar::Channels::re_vvhh}};
 
-// A GeoTIFF rewords its CRS, so the frame's own wording travels beside it; the grid tells whether the wording still
-// holds.
+// A GeoTIFF rewords its CRS, so the frame's own wording travels beside it. It holds while the file is of that frame and
+// on that grid: others may have given it another.
 constexpr const char* frame_key = "SIGMASCAPE_FRAME";
 constexpr const char* grid_key = "SIGMASCAPE_GRID";
 constexpr const char* quantity_key = "SIGMASCAPE_QUANTITY";
@@ -164,7 +165,8 @@ MapContent read_map_geotiff(const std::filesystem::path& path, const MappedQuant
   const std::string frame = taken(map, frame_key);
   const std::string grid = taken(map, grid_key);
   (void)taken(map, quantity_key);
-  map.crs = grid == grid_text(map.grid, frame) ? frame : raster.placement.crs;
+  const bool holds = grid == grid_text(map.grid, frame) && geo::is_same_crs(frame, raster.placement.crs);
+  map.crs = holds ? frame : raster.placement.crs;
   return map;
 }
 

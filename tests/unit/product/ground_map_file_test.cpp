@@ -49,17 +49,19 @@ TEST(GroundMapFile, ReadsBackTheSameMap) {
   }
 }
 
-TEST(GroundMapFile, AFileMovedByAGisKeepsItsOwnCrs) {
+TEST(GroundMapFile, AFileThatAGisMovedOrNamedAnewKeepsItsOwnCrs) {
   const ScratchFolder folder;
   const auto path = folder.path("map.tif");
-  write_ground_map(path, rough_map());
-  geo::GeoRaster raster = geo::read_geotiff(path);
-  raster.placement.west_m += 1000.0;
-  raster.placement.crs = "EPSG:25830";
-  geo::write_geotiff(path, raster);
-  const radar::GroundMap read = read_ground_map(path);
-  EXPECT_EQ(read.grid.west_m, 849.5);
-  EXPECT_THAT(read.crs, testing::HasSubstr("UTM zone 30N"));
+  for (const double moved_m : {1000.0, 0.0}) {
+    write_ground_map(path, rough_map());
+    geo::GeoRaster raster = geo::read_geotiff(path);
+    raster.placement.west_m += moved_m;
+    raster.placement.crs = "EPSG:25830";
+    geo::write_geotiff(path, raster);
+    const radar::GroundMap read = read_ground_map(path);
+    EXPECT_EQ(read.grid.west_m, -150.5 + moved_m);
+    EXPECT_THAT(read.crs, testing::HasSubstr("UTM zone 30N")) << moved_m;
+  }
 }
 
 TEST(GroundMapFile, BandsMayStandInAnyOrderAndNodataMayBeANumber) {
