@@ -33,6 +33,21 @@ std::array<const std::vector<Vec2d>*, 4> edges_of(const RasterOutline& outline) 
   return {&outline.west, &outline.east, &outline.south, &outline.north};
 }
 
+/// All four, one after the other, around what they enclose.
+Ring ring_along(const RasterOutline& outline) {
+  Ring ring;
+  const auto go_along = [&ring](std::vector<Vec2d> edge, bool is_reversed) {
+    if (is_reversed) std::ranges::reverse(edge);
+    ring.insert(ring.end(), edge.begin(), edge.end());
+  };
+  const auto& [west, east, south, north] = outline;
+  go_along(south, by_x(south.back(), south.front()));
+  go_along(east, by_y(east.back(), east.front()));
+  go_along(north, by_x(north.front(), north.back()));
+  go_along(west, by_y(west.front(), west.back()));
+  return ring;
+}
+
 Extent between_innermost_points(const RasterOutline& outline) {
   return {std::ranges::max_element(outline.west, by_x)->x, std::ranges::max_element(outline.south, by_y)->y,
           std::ranges::min_element(outline.east, by_x)->x, std::ranges::min_element(outline.north, by_y)->y};
@@ -201,17 +216,20 @@ double RasterOutline::spacing_m(const Extent& within) const {
 }
 
 double RasterOutline::enclosed_m2() const {
-  if (empty()) return 0.0;
-  Ring ring;
-  const auto go_along = [&ring](std::vector<Vec2d> edge, bool is_reversed) {
-    if (is_reversed) std::ranges::reverse(edge);
-    ring.insert(ring.end(), edge.begin(), edge.end());
-  };
-  go_along(south, by_x(south.back(), south.front()));
-  go_along(east, by_y(east.back(), east.front()));
-  go_along(north, by_x(north.front(), north.back()));
-  go_along(west, by_y(west.front(), west.back()));
-  return std::abs(signed_area_m2(ring));
+  return empty() ? 0.0 : std::abs(signed_area_m2(ring_along(*this)));
+}
+
+std::vector<double> RasterOutline::crossings_m(double y_m) const {
+  if (empty()) return {};
+  std::vector<double> crossings;
+  const Ring ring = ring_along(*this);
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Vec2d from = ring[i], to = ring[(i + 1) % ring.size()];
+    // A corner on the line belongs to the edge above it.
+    if ((from.y > y_m) != (to.y > y_m)) crossings.push_back(std::lerp(from.x, to.x, (y_m - from.y) / (to.y - from.y)));
+  }
+  std::ranges::sort(crossings);
+  return crossings;
 }
 
 Extent RasterOutline::extent_around() const {

@@ -33,6 +33,8 @@ struct RasterOutline {
   [[nodiscard]] double spacing_m(const Extent& within) const;
   /// What it encloses; 0 of an empty outline.
   [[nodiscard]] double enclosed_m2() const;
+  /// Where the line from west to east at that height of the frame goes in and out, ascending; none of an empty outline.
+  [[nodiscard]] std::vector<double> crossings_m(double y_m) const;
   /// The smallest that holds all of it; the whole plane around an empty outline.
   [[nodiscard]] Extent extent_around() const;
 };

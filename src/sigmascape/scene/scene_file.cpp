@@ -147,16 +147,11 @@ std::optional<PaperSceneOptions> read_paper_options(const TomlSection& root) {
   return options;
 }
 
-/// Where the terrain had no heights and was filled.
-struct FilledGround {
-  terrain::NodeMask nodes;
-  geo::Extent around_raster;
-};
-
 /// More of the raster of heights than this is no strip along its edges any more.
 constexpr double notable_share_left_out = 0.03;
 
-FilledGround add_terrain(Scene& scene, const SceneDescription& described) {
+/// Returns where the terrain had no heights and was filled.
+terrain::NodeMask add_terrain(Scene& scene, const SceneDescription& described) {
   const auto& [source, water, limit] = described.terrain;
   scene.frame = frame_of(described.place, source.raster);
   terrain::ReadTerrain read = terrain::read_terrain(source, scene.frame, extent_in(described.place, scene.frame));
@@ -178,7 +173,7 @@ FilledGround add_terrain(Scene& scene, const SceneDescription& described) {
   tally.settle(source.raster.file.string(), read.field.height_m.size(), limit, scene.remarks);
   scene.terrain = std::move(read.field);
   scene.extent = scene.terrain.extent();
-  return {std::move(read.filled), read.around_raster};
+  return std::move(read.filled);
 }
 
 /// More of the terrain than this is no hole or two any more.
@@ -186,24 +181,17 @@ constexpr double notable_share_of_holes = 0.03;
 
 /// Slopes and shadows of ground that nobody measured are made up: told where the extent is hardly meant to reach
 /// beyond the raster, and where holes are large. Water that was laid flat needs no heights.
-void note_made_up_ground(Scene& scene, const SceneDescription& described, const FilledGround& filled) {
-  const terrain::HeightField& terrain = scene.terrain;
-  const geo::Extent& raster = filled.around_raster;
+void note_made_up_ground(Scene& scene, const SceneDescription& described, const terrain::NodeMask& filled) {
+  const auto& heights_m = scene.terrain.height_m.values();
   std::size_t beyond = 0, within = 0;
-  for (std::size_t row = 0; row < filled.nodes.rows(); ++row) {
-    for (std::size_t column = 0; column < filled.nodes.columns(); ++column) {
-      const bool is_water = described.terrain.water &&
-                            terrain.height_m(column, row) == static_cast<float>(described.terrain.water->level_m);
-      if (filled.nodes(column, row) == 0 || is_water) continue;
-      const double x = terrain.west_m + static_cast<double>(column) * terrain.spacing_m,
-                   y = terrain.north_m - static_cast<double>(row) * terrain.spacing_m;
-      const bool is_within = x >= raster.west_m && x <= raster.east_m && y >= raster.south_m && y <= raster.north_m;
-      ++(is_within ? within : beyond);
-    }
+  for (std::size_t node = 0; node < filled.size(); ++node) {
+    const bool is_water =
+        described.terrain.water && heights_m[node] == static_cast<float>(described.terrain.water->level_m);
+    if (is_water) continue;
+    if (filled.values()[node] == terrain::in_a_hole) ++within;
+    if (filled.values()[node] == terrain::beyond_the_raster) ++beyond;
   }
-  const auto share = [&](std::size_t nodes) {
-    return static_cast<double>(nodes) / static_cast<double>(filled.nodes.size());
-  };
+  const auto share = [&](std::size_t nodes) { return static_cast<double>(nodes) / static_cast<double>(filled.size()); };
   FlawTally tally;
   const std::string which = fmt::format("band {}", described.terrain.source.raster.band);
   if (beyond > 0) {
@@ -217,8 +205,7 @@ void note_made_up_ground(Scene& scene, const SceneDescription& described, const 
                               100.0 * share(within)),
                   which);
   }
-  tally.settle(described.terrain.source.raster.file.string(), filled.nodes.size(), described.terrain.limit,
-               scene.remarks);
+  tally.settle(described.terrain.source.raster.file.string(), filled.size(), described.terrain.limit, scene.remarks);
 }
 
 void note_level_without_water(Scene& scene, const SceneDescription& described, const WaterLevel& level) {
@@ -244,11 +231,11 @@ Scene read_scene(const std::filesystem::path& toml) {
   Scene scene;
   scene.name = described.name;
   scene.attribution = described.attribution;
-  const FilledGround filled = add_terrain(scene, described);
+  const terrain::NodeMask filled = add_terrain(scene, described);
   const WaterMask water = add_land_cover(scene, described.land_cover);
   if (const auto& level = described.terrain.water) {
     const std::size_t levelled =
-        level_water(scene.terrain, filled.nodes, scene.ground.grid, water, level->level_m, level->within_m);
+        level_water(scene.terrain, filled, scene.ground.grid, water, level->level_m, level->within_m);
     if (levelled == 0) note_level_without_water(scene, described, *level);
   }
   note_made_up_ground(scene, described, filled);

@@ -1,6 +1,7 @@
 #include "sigmascape/terrain/terrain_reader.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <fmt/format.h>
 #include <limits>
@@ -29,6 +30,30 @@ NodeMask holes_in(const Array2D<float>& heights) {
   std::ranges::transform(heights.values(), holes.values().begin(),
                          [](float h) -> std::uint8_t { return std::isnan(h) ? 1 : 0; });
   return holes;
+}
+
+/// Whether a place on a line lies between where that goes into the raster and out again.
+bool is_inside(const std::vector<double>& crossings_m, double x_m) {
+  return (std::ranges::upper_bound(crossings_m, x_m) - crossings_m.begin()) % 2 == 1;
+}
+
+/// Tells holes from what lies outside the raster, of which nobody wants to hear as of holes.
+void tell_apart(NodeMask& holes, const geo::Lattice& nodes, const geo::RasterOutline& outline, double cell_m) {
+  if (outline.empty()) return;
+  for (std::size_t row = 0; row < holes.rows(); ++row) {
+    if (std::ranges::count(holes.row(row), 0) == std::ssize(holes.row(row))) continue;
+    const double y_m = nodes.north_m - static_cast<double>(row) * nodes.spacing_m;
+    const std::array lines{outline.crossings_m(y_m), outline.crossings_m(y_m - cell_m),
+                           outline.crossings_m(y_m + cell_m)};
+    for (std::size_t column = 0; column < holes.columns(); ++column) {
+      const double x_m = nodes.west_m + static_cast<double>(column) * nodes.spacing_m;
+      if (holes(column, row) == 0 || is_inside(lines.front(), x_m)) continue;
+      const bool is_near = std::ranges::any_of(lines, [&](const std::vector<double>& line) {
+        return is_inside(line, x_m - cell_m) || is_inside(line, x_m) || is_inside(line, x_m + cell_m);
+      });
+      holes(column, row) = is_near ? at_the_edge : beyond_the_raster;
+    }
+  }
 }
 
 /// Half as many nodes a side, each the mean of the up to four it stands for that have a height.
@@ -196,11 +221,9 @@ ReadTerrain read_terrain(const TerrainSource& source, const geo::LocalFrame& fra
                             wanted->width_m(), wanted->height_m()),
                 "choose a smaller spacing_m or a larger extent");
   }
-  result.around_raster = {available.west_m - cell_m, available.south_m - cell_m, available.east_m + cell_m,
-                          available.north_m + cell_m};
   result.unit_is_guess = raster.height_unit().is_guess;
-  Array2D<float> heights =
-      raster.heights_on({wanted->west_m, wanted->north_m, spacing_m, columns, rows}, frame, source.plausible);
+  const geo::Lattice nodes{wanted->west_m, wanted->north_m, spacing_m, columns, rows};
+  Array2D<float> heights = raster.heights_on(nodes, frame, source.plausible);
   const auto holes = count_holes(heights);
   const double share = static_cast<double>(holes) / static_cast<double>(heights.size());
   if (share > source.largest_hole_share || holes == heights.size()) {
@@ -212,6 +235,7 @@ ReadTerrain read_terrain(const TerrainSource& source, const geo::LocalFrame& fra
                                           "max_flawed_share to have the rest interpolated");
   }
   result.filled = holes_in(heights);
+  tell_apart(result.filled, nodes, outline, cell_m);
   result.filled_nodes = fill_holes(heights);
   if (source.smooth_within_m > 0.0) smooth_within(heights, source.smooth_within_m);
   result.field = {wanted->west_m, wanted->north_m, spacing_m, std::move(heights)};

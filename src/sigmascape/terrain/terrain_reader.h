@@ -23,14 +23,16 @@ struct TerrainSource {
   double largest_hole_share = 0.5;  ///< of nodes without data, beyond which the terrain is refused
 };
 
-/// Which nodes of a height field are of some kind, [column, row].
+/// Which nodes of a height field are of some kind, [column, row]; 0 of those that are not.
 using NodeMask = Array2D<std::uint8_t>;
+
+/// Why a node had no height: a hole of the raster, or that it lies outside, by no more than a cell or farther.
+inline constexpr std::uint8_t in_a_hole = 1, at_the_edge = 2, beyond_the_raster = 3;
 
 struct ReadTerrain {
   HeightField field;
   std::size_t filled_nodes = 0;  ///< had no data, or no plausible ones, and were interpolated
-  NodeMask filled;               ///< which those are
-  geo::Extent around_raster;     ///< the smallest that holds the raster, and a cell more on every side
+  NodeMask filled;               ///< which those are: in_a_hole, at_the_edge, beyond_the_raster
   bool unit_is_guess = false;    ///< as geo::HeightUnit has it
   /// Of the raster, what lies outside the rectangle that was chosen; 0 where one was asked for.
   double left_out_share = 0.0;

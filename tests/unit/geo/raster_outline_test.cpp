@@ -29,6 +29,22 @@ RasterOutline turned_square(double angle_rad) {
   return RasterOutline::of(left, right, bottom, top);
 }
 
+// Of a square that stands on its corner: as wide as its diagonal through the middle, and a corner is passed once or
+// not.
+TEST(RasterOutline, LinesGoInAndOutWhereItsEdgesAre) {
+  const RasterOutline outline = turned_square(std::numbers::pi / 4.0);
+  const double half_diagonal_m = half_m * std::numbers::sqrt2;
+  for (const double y_m : {0.0, 100.0, -650.0}) {
+    const std::vector<double> crossings_m = outline.crossings_m(y_m);
+    ASSERT_EQ(crossings_m.size(), 2U) << y_m;
+    EXPECT_NEAR(crossings_m.front(), std::abs(y_m) - half_diagonal_m, 1e-9);
+    EXPECT_NEAR(crossings_m.back(), half_diagonal_m - std::abs(y_m), 1e-9);
+  }
+  EXPECT_TRUE(outline.crossings_m(half_diagonal_m + 1.0).empty());
+  EXPECT_TRUE(outline.crossings_m(-half_diagonal_m - 1.0).empty());
+  EXPECT_TRUE(RasterOutline().crossings_m(0.0).empty());
+}
+
 // A square in a square turned by θ has the side 1 / (|cos θ| + |sin θ|), and the one around it that many times it.
 TEST(RasterOutline, SquareHoweverItIsTurned) {
   for (int deg = 0; deg < 360; deg += 15) {

@@ -90,6 +90,19 @@ TEST(SceneFile, AnExtentBeyondTheRasterIsLikelyAMistake) {
   EXPECT_THAT(likely_mistakes(with_extent_to(400.0)), ::testing::IsEmpty());
   EXPECT_THAT(likely_mistakes(with_extent_to(700.0)),
               ::testing::Contains(HasSubstr("extent that reaches beyond the raster of heights")));
+  EXPECT_EQ(remark_count(with_extent_to(700.0), "with holes"), 0U);
+}
+
+// The raster's rows run 6° aslant in the frame, some 9° east of the middle of its zone.
+TEST(SceneFile, CornersBesideARasterThatLiesAslantAreNoHoles) {
+  const MadeUpPlace place;
+  const geo::AsciiGrid aslant{1'230'000.0, 4'830'000.0, 5.0, 60, 60};
+  place.write("aslant.asc", aslant.text([](double, double) { return 40.0; }));
+  const Scene scene =
+      read_scene(place.write("aslant.toml",
+                             "[scene]\nextent = {west_m = -150, south_m = -150, east_m = 150, north_m = 150}\n"
+                             "[terrain]\nfile = \"aslant.asc\"\ncrs = \"EPSG:25830\"\nunit = \"m\"\n"));
+  EXPECT_THAT(likely_mistakes(scene), ElementsAre(HasSubstr("extent that reaches beyond the raster")));
 }
 
 TEST(SceneFile, LargeHolesOfTheTerrainAreLikelyAMistakeAndSmallOnesAreNot) {
