@@ -52,7 +52,7 @@ void add_compare_command(Command app, Output& output) {
   command.add_option("--shadow-db", options->compare.shadow_db, "darker cells are shadow")
       .capture_default_str()
       .check(number_within(-1000.0, 1000.0));
-  add_polarization_option(command, options->compare.polarization, "sum");
+  add_polarization_option(command, options->compare.polarization);
   command.add_flag("--json", output.json, "print as JSON");
   command.footer("Example:\n  sigmascape compare baked.tif traced.tif --noise-floor traced_again.tif");
   command.callback([options, &output] {

@@ -196,7 +196,7 @@ void add_plot_command(Command app, Output& output) {
   sigma0.add_option("MATERIAL", options->materials, "names of materials; all of --scene when there are none");
   sigma0.add_option("--scene", options->scene, "scene file whose materials are known too");
   sigma0.add_option("--frequency-ghz", options->frequency_ghz).capture_default_str().check(number_within(0.1, 300.0));
-  add_polarization_option(sigma0, options->polarization, "vv");
+  add_polarization_option(sigma0, options->polarization);
   sigma0.callback([options, &output] {
     const auto materials = wanted_materials(*options);
     if (materials.empty())
@@ -244,7 +244,7 @@ void add_plot_command(Command app, Output& output) {
   histogram.add_option("--bins", options->bins, "bars of the histogram")
       .capture_default_str()
       .check(count_within(5, 500));
-  add_polarization_option(histogram, options->polarization, "vv");
+  add_polarization_option(histogram, options->polarization);
   histogram.callback([options, &output] { plot_histogram(*options, output); });
 
   const auto aspects = subcommand("aspects", "sigma0 of one place of an atlas by the direction it is seen from",
@@ -256,7 +256,7 @@ void add_plot_command(Command app, Output& output) {
       .capture_default_str()
       .check(one_of({"azimuth", "elevation"}));
   aspects.add_option("--frequency-ghz", options->frequency_ghz).capture_default_str();
-  add_polarization_option(aspects, options->polarization, "vv");
+  add_polarization_option(aspects, options->polarization);
   aspects.callback([options, &output] { plot_aspects(*options, output); });
 }
 

@@ -8,7 +8,7 @@
 
 namespace sigmascape::cli {
 
-/// Adds --polarization vv|hh|hv|vh|sum. `usual`: what is taken unless it is stated, for the help.
-Option add_polarization_option(Command command, radar::Polarization& polarization, const std::string& usual);
+/// Adds --polarization vv|hh|hv|vh|sum. Unless it is stated what `polarization` holds is taken, or what `usual` tells.
+Option add_polarization_option(Command command, radar::Polarization& polarization, const std::string& usual = "");
 
 }  // namespace sigmascape::cli

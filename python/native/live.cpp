@@ -184,9 +184,8 @@ void add_live(py::module_& module) {
             return g.here()->terrain().height_at(checked_place(x, y));
           },
           py::arg("x_m"), py::arg("y_m"),
-          "Height of the finest ground at a place of the local frame, m above mean sea level; beyond the terrain that "
-          "of\n"
-          "its nearest edge. May read a tile.")
+          "Height of the finest ground at a place of the local frame, m above mean sea level; beyond the terrain\n"
+          "that of its nearest edge. May read a tile.")
       .def_property_readonly(
           "extent_m",
           [](const Held<LiveGround>& g) {

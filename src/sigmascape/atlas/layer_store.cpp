@@ -54,9 +54,13 @@ Store create_layer_store(const Store& atlas, const LayerStore& layer, std::vecto
 }
 
 Store open_layer_store(const Store& atlas, std::string_view folder) {
-  if (auto fault = unread_collection_fault(atlas, folder))
+  try {
+    return Store::open(atlas.folder() / folder);
+  } catch (const Error&) {
+    const auto fault = unread_collection_fault(atlas, folder);
+    if (!fault) throw;
     throw Error((atlas.folder() / fault->file).string(), fault->what, bake_again);
-  return Store::open(atlas.folder() / folder);
+  }
 }
 
 std::optional<StoreFault> layer_collection_fault(const Store& atlas, const LayerStore& layer) {

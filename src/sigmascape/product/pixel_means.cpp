@@ -201,7 +201,8 @@ Array2D<radar::Channels> pixel_means(const radar::RangeAzimuthImage& image, cons
   AlongRange before(image, beside(bins, 0, false)), here(image, 0);
   for (std::size_t azimuth = 0; azimuth < bins.azimuths; ++azimuth) {
     AlongRange after(image, beside(bins, azimuth, true));
-    for (std::size_t line = 0; line < lines && !here.sees_nothing(); ++line) {
+    const std::size_t seen_lines = here.sees_nothing() ? 0 : lines;
+    for (std::size_t line = 0; line < seen_lines; ++line) {
       const double place = (static_cast<double>(line) + 0.5) / static_cast<double>(lines) - 0.5;
       const double line_rad =
           bins.first_azimuth_rad + (static_cast<double>(azimuth) + 0.5 + place) * bins.azimuth_step_rad - up_rad;

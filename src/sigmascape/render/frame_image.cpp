@@ -64,12 +64,6 @@ std::vector<radar::Echo> echoes_of(const receiver::TargetsApart& targets) {
   return echoes;
 }
 
-/// Whatever images its mode would make: frames are what a beam sees that goes round.
-radar::Radar that_scans(radar::Radar radar) {
-  radar.mode = radar::Mode::RealBeam;
-  return radar;
-}
-
 /// `weigh(hearing, beam, weights)` says how strongly the ground of a beam is heard.
 template <typename Weigh>
 radar::RangeAzimuthImage heard_image(const Frame& frame, const radar::Radar& radar, Weigh&& weigh) {

@@ -79,6 +79,11 @@ void check_frequency(const Frame& frame, const radar::Radar& radar) {
               "open the ground at the radar's frequency, or give a radar of the ground's");
 }
 
+radar::Radar that_scans(radar::Radar radar) {
+  radar.mode = radar::Mode::RealBeam;
+  return radar;
+}
+
 double targets_heard_from_m(const radar::RangeAzimuthGrid& grid) {
   return std::max(grid.first_range_m - 0.5 * grid.range_step_m, 0.0);
 }

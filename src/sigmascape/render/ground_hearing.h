@@ -88,6 +88,9 @@ class GroundHearing {
 /// cross-sections nor the targets' are those of another.
 void check_frequency(const Frame& frame, const radar::Radar& radar);
 
+/// The radar, whatever images its mode would make: frames are what a beam sees that goes round.
+[[nodiscard]] radar::Radar that_scans(radar::Radar radar);
+
 /// From where on targets are heard unless the radar says so: half a bin before the first range, as far as the first
 /// bins hold them.
 [[nodiscard]] double targets_heard_from_m(const radar::RangeAzimuthGrid& grid);

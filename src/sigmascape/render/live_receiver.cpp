@@ -51,10 +51,8 @@ void LiveReceiver::Responses::move_to(const radar::RangeAzimuthGrid& grid) {
 }
 
 LiveReceiver::LiveReceiver(radar::Radar radar, radar::Polarization polarization, KeptGround ground, unsigned threads)
-    : radar_(std::move(radar)), polarization_(polarization), ground_(std::move(ground)), team_(threads) {
+    : radar_(that_scans(std::move(radar))), polarization_(polarization), ground_(std::move(ground)), team_(threads) {
   receiver::check_receivable(polarization_);
-  // Whatever images its mode would make: frames are what a beam sees that goes round.
-  radar_.mode = radar::Mode::RealBeam;
   if (!ground_.is_known() && !radar::antenna_pattern(radar_).elevation().even()) {
     throw Error(radar::title_of(radar_), "has an antenna that tells elevations apart, which bins do not",
                 "give the ground that they lie on too, or an antenna that is even in elevation");

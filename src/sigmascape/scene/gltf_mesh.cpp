@@ -247,10 +247,12 @@ std::string json_of(const std::filesystem::path& file, bool binary) {
   std::array<char, 20> head{};
   if (!binary) return {std::istreambuf_iterator<char>(stream), {}};
   if (!stream.read(head.data(), head.size())) return {};
-  std::uint32_t bytes = 0;
-  std::memcpy(&bytes, head.data() + 12, sizeof(bytes));
-  std::string json;
-  for (std::istreambuf_iterator<char> at(stream), end; at != end && json.size() < bytes; ++at) json += *at;
+  std::uint32_t stated = 0;
+  std::memcpy(&stated, head.data() + 12, sizeof(stated));
+  // A damaged file may state more than it holds.
+  std::string json(static_cast<std::size_t>(std::min<std::uintmax_t>(stated, std::filesystem::file_size(file))), '\0');
+  stream.read(json.data(), static_cast<std::streamsize>(json.size()));
+  json.resize(static_cast<std::size_t>(stream.gcount()));
   return json;
 }
 

@@ -60,11 +60,15 @@ BakeSettings settings_with(const Sampling& sampling) {
   return settings;
 }
 
+/// From the first of its aspects.
+BakedLook baked_patch(const LookBaker& baker, const BakeSettings& settings, const atlas::PatchIndex& patch) {
+  SilentProgress silent;
+  return baker.bake(patch, settings.aspects.look(0).aspect, silent).front();
+}
+
 BakedLook baked_look(const scene::Scene& scene, BakeSettings settings, std::uint64_t seed) {
   settings.seed = seed;
-  const LookBaker baker(scene, settings);
-  SilentProgress silent;
-  return baker.bake({0, 0}, settings.aspects.look(0).aspect, silent).front();
+  return baked_patch(LookBaker(scene, settings), settings, {0, 0});
 }
 
 double power(const BakedLook& look, std::size_t texel) {
@@ -354,10 +358,8 @@ TEST(LookBaker, ATowerSeveralPatchesAwayShadesThisOne) {
   BakeSettings settings = settings_with({.samples_per_texel = 4});
   settings.aspects = {{radians_from_deg(180.0)}, {radians_from_deg(5.0)}, {10e9}};
   const LookBaker baker(scene, settings);
-  SilentProgress silent;
-  const auto aspect = settings.aspects.look(0).aspect;
   const atlas::PatchIndex patch = settings.patches.patch_at({1.0, 3700.0});
-  const BakedLook look = baker.bake(patch, aspect, silent).front();
+  const BakedLook look = baked_patch(baker, settings, patch);
   const radar::GroundGrid texels = settings.patches.texels_of(patch);
   const double open = power_at(look, texels, {101.0, 3651.0}), shadow_m = 326.0 / std::tan(radians_from_deg(5.0));
   EXPECT_GT(open, 0.0);
@@ -373,12 +375,10 @@ TEST(LookBaker, StatesRaysAsOfCellsWithAWholeShare) {
   settings.patches = {8.0, 64};
   settings.aspects = {{radians_from_deg(180.0)}, {radians_from_deg(5.0)}, {10e9}};
   const LookBaker baker(scene, settings);
-  SilentProgress silent;
-  const auto aspect = settings.aspects.look(0).aspect;
   const atlas::PatchIndex patch = settings.patches.patch_at({1.0, 2000.0});
-  const BakedLook look = baker.bake(patch, aspect, silent).front();
-  EXPECT_GT(static_cast<double>(look.counts.paths),
-            2.1 * baker.area_of(settings.patches.texels_of(patch), aspect).whole_cells());
+  const BakedLook look = baked_patch(baker, settings, patch);
+  const trace::LaunchArea area = baker.area_of(settings.patches.texels_of(patch), settings.aspects.look(0).aspect);
+  EXPECT_GT(static_cast<double>(look.counts.paths), 2.1 * area.whole_cells());
   EXPECT_EQ(look.samples_per_texel, 2.0);
 }
 
@@ -418,9 +418,8 @@ TEST(LookBaker, ATowerOfTheNextPatchLiesOverIntoThisOne) {
   settings.aspects = {{radians_from_deg(180.0)}, {radians_from_deg(5.0)}, {10e9}};
   settings.max_bounces = 1;
   const LookBaker baker(scene, settings);
-  SilentProgress silent;
   const atlas::PatchIndex patch = settings.patches.patch_at({1.0, -1.0});
-  const BakedLook look = baker.bake(patch, settings.aspects.look(0).aspect, silent).front();
+  const BakedLook look = baked_patch(baker, settings, patch);
   const radar::GroundGrid texels = settings.patches.texels_of(patch);
   const auto column_power = [&](double y) { return power_at(look, texels, {1.0, y}); };
   const double top_m = 1.0 - 326.0 * std::tan(radians_from_deg(5.0)), open = column_power(-101.0);
@@ -436,10 +435,9 @@ TEST(LookBaker, ATowerSeveralPatchesAwayLiesOverIntoThisOne) {
   settings.aspects = {{radians_from_deg(180.0)}, {radians_from_deg(80.0)}, {10e9}};
   settings.max_bounces = 1;
   const LookBaker baker(scene, settings);
-  SilentProgress silent;
   const double roof_m = 2600.0 - 326.0 * std::tan(radians_from_deg(80.0));
   const atlas::PatchIndex patch = settings.patches.patch_at({1.0, roof_m});
-  const BakedLook look = baker.bake(patch, settings.aspects.look(0).aspect, silent).front();
+  const BakedLook look = baked_patch(baker, settings, patch);
   const radar::GroundGrid texels = settings.patches.texels_of(patch);
   const auto column_power = [&](double y) { return power_at(look, texels, {1.0, y}); };
   const double open = column_power(roof_m - 40.0);
