@@ -159,7 +159,7 @@ std::shared_ptr<terrain::TerrainPyramid> terrain_under(
   for (int level = 0; level < layout.levels(); ++level)
     summaries.emplace_back(layout.across(level), layout.down(level), summary(layout.spacing_at(level)));
   return std::make_shared<terrain::TerrainPyramid>(
-      layout, std::move(summaries), [layout, tile](terrain::TileKey key) { return tile(layout, key); },
+      layout, layout.extent(), std::move(summaries), [layout, tile](terrain::TileKey key) { return tile(layout, key); },
       std::size_t{16} << 20U);
 }
 

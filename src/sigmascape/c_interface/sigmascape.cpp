@@ -365,7 +365,7 @@ int sigmascape_ground_height(const sigmascape_ground* ground, double x_m, double
   return guarded(1, [&] {
     (void)given(height_m, "height_m");
     const sigmascape::render::LiveTerrain& terrain = std::as_const(*given(ground, "ground").ground).terrain();
-    if (!terrain.pyramid().layout().extent().contains({x_m, y_m})) {
+    if (!terrain.pyramid().extent().contains({x_m, y_m})) {
       throw sigmascape::Error("place", "at (" + std::to_string(x_m) + ", " + std::to_string(y_m) + ") m has no terrain",
                               "give one within the terrain beside the atlas");
     }

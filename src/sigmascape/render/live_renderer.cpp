@@ -65,7 +65,7 @@ void make_bounds_alike(std::span<Occluders> sectors) {
 /// Of terrain that is summed up tile by tile, so that nothing is read for it.
 void check_above_ground(const terrain::TerrainPyramid& terrain, Vec3d radar) {
   const Vec2d foot{radar.x, radar.y};
-  if (!terrain.layout().extent().contains(foot)) return;
+  if (!terrain.extent().contains(foot)) return;
   const float lowest_m = terrain.bounds_over({foot.x, foot.y, foot.x, foot.y}).lowest_m;
   if (radar.z < static_cast<double>(lowest_m)) {
     throw Error("live renderer",
@@ -76,7 +76,7 @@ void check_above_ground(const terrain::TerrainPyramid& terrain, Vec3d radar) {
 
 /// By how much a radar beyond the terrain lies below any ground that may be there; 0 of one that is over it.
 double depth_beyond(const terrain::TerrainPyramid& terrain, Vec3d radar) {
-  const radar::Rectangle extent = terrain.layout().extent();
+  const radar::Rectangle& extent = terrain.extent();
   if (extent.contains({radar.x, radar.y})) return 0.0;
   constexpr double sea_m = 0.0;
   return std::max(std::min(static_cast<double>(terrain.bounds_over(extent).lowest_m), sea_m) - radar.z, 0.0);

@@ -132,7 +132,7 @@ LiveTerrain::Surface LiveTerrain::surface(const TerrainWindows::View& there, int
 
 double LiveTerrain::depth_below(const Surface& surface, int level, Vec3d point) const {
   const Vec2d foot{point.x, point.y};
-  if (!pyramid_->layout().extent().contains(foot)) return 0.0;
+  if (!pyramid_->extent().contains(foot)) return 0.0;
   const float of_level = pyramid_->summary_over({foot.x, foot.y, foot.x, foot.y}, level).error_m;
   const double lowest_m =
       terrain::height_at(surface.view, foot) - static_cast<double>(std::max(surface.error_m, of_level));

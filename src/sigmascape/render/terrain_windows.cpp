@@ -85,7 +85,7 @@ const GroundWindow* TerrainWindows::View::find(const WindowWish& wish) const {
 
 WindowWish TerrainWindows::wish_for(int level, const radar::Rectangle& area) const {
   const auto most = static_cast<double>(most_nodes_per_side_ * most_nodes_per_side_);
-  WindowWish wish{std::clamp(level, 0, pyramid_->levels() - 1), clipped(area, pyramid_->layout().extent())};
+  WindowWish wish{std::clamp(level, 0, pyramid_->levels() - 1), clipped(area, pyramid_->extent())};
   while (wish.level + 1 < pyramid_->levels() &&
          nodes_over(wish.area, pyramid_->layout().spacing_at(wish.level)) > most) {
     ++wish.level;
@@ -165,7 +165,7 @@ std::shared_ptr<const GroundWindow> TerrainWindows::made(const WindowWish& wish)
 radar::Rectangle TerrainWindows::with_margin(const WindowWish& wish) const {
   const auto most = static_cast<double>(most_nodes_per_side_ * most_nodes_per_side_);
   const double spacing_m = pyramid_->layout().spacing_at(wish.level);
-  const radar::Rectangle whole = pyramid_->layout().extent();
+  const radar::Rectangle& whole = pyramid_->extent();
   double margin_m = std::max(0.25 * std::max(wish.area.width_m(), wish.area.height_m()), 8.0 * spacing_m);
   radar::Rectangle area = clipped(radar::widened(wish.area, margin_m), whole);
   while (nodes_over(area, spacing_m) > most && margin_m > spacing_m) {

@@ -151,8 +151,7 @@ TargetGround::TargetGround(const terrain::HeightField& terrain)
     : extent(terrain.extent()), height_at([&terrain](Vec2d place) { return terrain.height_at(place); }) {}
 
 TargetGround::TargetGround(const render::LiveTerrain& terrain)
-    : extent(terrain.pyramid().layout().extent()),
-      height_at([&terrain](Vec2d place) { return terrain.height_at(place); }) {}
+    : extent(terrain.pyramid().extent()), height_at([&terrain](Vec2d place) { return terrain.height_at(place); }) {}
 
 std::vector<radar::Target> placed_targets(std::span<const radar::TargetSource> sources, const geo::LocalFrame& frame,
                                           const TargetGround& ground, std::uint64_t seed, double time_s) {

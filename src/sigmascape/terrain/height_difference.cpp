@@ -40,7 +40,7 @@ std::size_t next_of(std::size_t number, std::size_t stride) {
 std::optional<HeightDifference> height_difference(TerrainPyramid& pyramid, const HeightField& field,
                                                   const radar::Rectangle& area) {
   const PyramidLayout& layout = pyramid.layout();
-  const radar::Rectangle shared = radar::common_part(area, radar::common_part(field.extent(), layout.extent()));
+  const radar::Rectangle shared = radar::common_part(area, radar::common_part(field.extent(), pyramid.extent()));
   const std::size_t stride = stride_for(field, shared);
   std::vector<float> apart_m;
   for (std::uint32_t row = 0; row < layout.tiles_down; ++row) {

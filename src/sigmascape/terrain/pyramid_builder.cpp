@@ -196,7 +196,7 @@ std::size_t build_tiles_on_disk(const std::filesystem::path& folder, const Pyram
     write_index(folder, layout, crs, level, summaries[static_cast<std::size_t>(level)]);
     whole.index_sha256.push_back(sha256_of_file(index_path(folder, level)));
   }
-  const bool is_told = finished && read_heading(folder / heading_name).index_sha256 == whole.index_sha256;
+  const bool is_told = finished && read_heading(folder / heading_name) == whole;
   if (!is_told) write_heading(folder / heading_name, whole);
   std::filesystem::remove(folder / unfinished_heading_name);
   return written;
@@ -220,6 +220,7 @@ PyramidHeading heading_of(const HeightField& field, const geo::LocalFrame& frame
   hash.add_values(field.height_m.values());
   hash.add(fmt::format("{} {} {} {}", field.west_m, field.north_m, field.spacing_m, frame.proj()));
   return {.layout = PyramidLayout::covering(field.extent(), field.spacing_m),
+          .extent = field.extent(),
           .source_hash = hash.hex_digest(),
           .is_of_field = true};
 }
@@ -345,7 +346,7 @@ TerrainPyramid pyramid_in_memory(const HeightField& field) {
       layout, [&](TileKey key) { return nodes_of_field(field, key); },
       [&](TileKey key, const HeightTile& tile) { tiles->emplace(key, std::make_shared<const HeightTile>(tile)); },
       read);
-  return {layout, std::move(summaries), read, tiles->size() * HeightTile::bytes};
+  return {layout, field.extent(), std::move(summaries), read, tiles->size() * HeightTile::bytes};
 }
 
 PyramidBuild build_pyramid(const std::filesystem::path& folder, const TerrainSource& source,
@@ -366,7 +367,7 @@ PyramidBuild build_pyramid(const std::filesystem::path& folder, const TerrainSou
   if (const double unit_m = raster.height_unit().metres; unit_m != 1.0) hash.add(fmt::format(" {}", unit_m));
   hash.add(fmt::format(" revision {}", revision_of_heights));
   if (layout.extent() != extent) hash.add(fmt::format(" goes on beyond {} {}", extent.east_m, extent.south_m));
-  const PyramidHeading heading{layout, hash.hex_digest()};
+  const PyramidHeading heading{layout, extent, hash.hex_digest()};
   std::size_t asked = 0, without_height = 0;
   bool holds_heights = false, is_empty = false;
   const auto nodes_of = [&](TileKey key) {
@@ -450,7 +451,8 @@ TerrainPyramid open_pyramid(const std::filesystem::path& folder, std::size_t bud
   for (int level = 0; level < heading.layout.levels(); ++level) {
     summaries.push_back(read_index(folder, heading, level));
   }
-  return {heading.layout, std::move(summaries), [folder](TileKey key) { return read_tile(folder, key); }, budget_bytes};
+  return {heading.layout, heading.extent, std::move(summaries),
+          [folder](TileKey key) { return read_tile(folder, key); }, budget_bytes};
 }
 
 }  // namespace sigmascape::terrain

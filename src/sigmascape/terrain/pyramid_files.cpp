@@ -225,6 +225,12 @@ PyramidHeading read_heading(const std::filesystem::path& file_name) {
                                     static_cast<std::uint32_t>(file.number("tiles_down", count))},
                          .source_hash = file.text("source_hash"),
                          .index_sha256 = file.texts("index_sha256")};
+  const radar::Rectangle tiles = heading.layout.extent();
+  // By rounding it may reach a hair's breadth beyond them.
+  const double hair_m = 1e-6 * heading.layout.spacing_m;
+  heading.extent = {tiles.west_m,
+                    file.number_or("south_m", {tiles.south_m - hair_m, tiles.north_m, "m"}, tiles.south_m),
+                    file.number_or("east_m", {tiles.west_m, tiles.east_m + hair_m, "m"}, tiles.east_m), tiles.north_m};
   heading.is_of_field = file.optional_text("made_from") == from_field;
   const auto recorded = file.optional_text("heading_sha256");
   file.refuse_unknown_keys();
@@ -237,9 +243,10 @@ PyramidHeading read_heading(const std::filesystem::path& file_name) {
 void write_heading(const std::filesystem::path& file_name, const PyramidHeading& heading) {
   const PyramidLayout& layout = heading.layout;
   std::string text = fmt::format(
-      "west_m = {:.17g}\nnorth_m = {:.17g}\nspacing_m = {:.17g}\ntiles_across = {}\n"
-      "tiles_down = {}\nsource_hash = \"{}\"\n",
-      layout.west_m, layout.north_m, layout.spacing_m, layout.tiles_across, layout.tiles_down, heading.source_hash);
+      "west_m = {:.17g}\nnorth_m = {:.17g}\neast_m = {:.17g}\nsouth_m = {:.17g}\nspacing_m = {:.17g}\n"
+      "tiles_across = {}\ntiles_down = {}\nsource_hash = \"{}\"\n",
+      layout.west_m, layout.north_m, heading.extent.east_m, heading.extent.south_m, layout.spacing_m,
+      layout.tiles_across, layout.tiles_down, heading.source_hash);
   if (heading.is_of_field) text += fmt::format("made_from = \"{}\"\n", from_field);
   if (!heading.index_sha256.empty())
     text += fmt::format("index_sha256 = [\n  \"{}\",\n]\n", fmt::join(heading.index_sha256, "\",\n  \""));

@@ -11,14 +11,16 @@
 
 namespace sigmascape::terrain {
 
-/// How a pyramid's tiles lie, and a hash of all that their heights were made from.
+/// How a pyramid's tiles lie, where in them there is ground, and a hash of all that their heights were made from.
 struct PyramidHeading {
   PyramidLayout layout;
+  radar::Rectangle extent = {};  ///< of those heights; those of a former kind do not tell, and have that of all tiles
   std::string source_hash;
   /// SHA-256 of the index of each level; none while the pyramid is unfinished, nor in those of a former kind.
   std::vector<std::string> index_sha256 = {};
   bool is_of_field = false;  ///< made from a field in memory, not from a raster; those of a former kind do not tell
 
+  friend bool operator==(const PyramidHeading&, const PyramidHeading&) = default;
   /// Whether it is of the same heights, from which the indexes follow.
   [[nodiscard]] bool is_of_heights_of(const PyramidHeading& other) const {
     return layout == other.layout && source_hash == other.source_hash;

@@ -9,9 +9,11 @@
 
 namespace sigmascape::terrain {
 
-TerrainPyramid::TerrainPyramid(const PyramidLayout& layout, std::vector<Array2D<TileSummary>> summaries, Reader reader,
-                               std::size_t budget_bytes, std::chrono::milliseconds patience)
+TerrainPyramid::TerrainPyramid(const PyramidLayout& layout, const radar::Rectangle& extent,
+                               std::vector<Array2D<TileSummary>> summaries, Reader reader, std::size_t budget_bytes,
+                               std::chrono::milliseconds patience)
     : layout_(layout),
+      extent_(extent),
       summaries_(std::move(summaries)),
       reader_(std::move(reader)),
       budget_bytes_(std::max(budget_bytes, 2 * HeightTile::bytes)),

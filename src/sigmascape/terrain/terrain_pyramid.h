@@ -37,11 +37,15 @@ class TerrainPyramid {
   /// Reads one tile; throws Error, or whatever the system does, when it is missing or damaged.
   using Reader = std::function<std::shared_ptr<const HeightTile>(TileKey)>;
 
-  /// `summaries` holds one array a level, [column, row]. Throws what `reader` throws for the last level's tile.
-  TerrainPyramid(const PyramidLayout& layout, std::vector<Array2D<TileSummary>> summaries, Reader reader,
-                 std::size_t budget_bytes, std::chrono::milliseconds patience = before_another_try);
+  /// `extent` is that of the heights it was made from. `summaries` holds one array a level, [column, row]. Throws what
+  /// `reader` throws for the last level's tile.
+  TerrainPyramid(const PyramidLayout& layout, const radar::Rectangle& extent,
+                 std::vector<Array2D<TileSummary>> summaries, Reader reader, std::size_t budget_bytes,
+                 std::chrono::milliseconds patience = before_another_try);
 
   [[nodiscard]] const PyramidLayout& layout() const { return layout_; }
+  /// Where there is ground. The last tiles may reach further east and south, with heights that only fill them up.
+  [[nodiscard]] const radar::Rectangle& extent() const { return extent_; }
   [[nodiscard]] int levels() const { return layout_.levels(); }
   [[nodiscard]] const TileSummary& summary(TileKey key) const {
     return summaries_[static_cast<std::size_t>(key.level)](key.column, key.row);
@@ -74,6 +78,7 @@ class TerrainPyramid {
   void make_room();
 
   PyramidLayout layout_;
+  radar::Rectangle extent_;
   std::vector<Array2D<TileSummary>> summaries_;
   Reader reader_;
   std::size_t budget_bytes_;

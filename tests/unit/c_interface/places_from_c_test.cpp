@@ -101,6 +101,8 @@ TEST_F(PlacesFromC, TheAtlasSaysWhatItCoversAndHowHighItsGroundIs) {
   height_m = 7.0;
   EXPECT_NE(sigmascape_ground_height(ground_, -50e3, 0.0, &height_m), 0);
   EXPECT_THAT(sigmascape_last_error(), HasSubstr("has no terrain"));
+  // 100 m of it lie beside the atlas; its last tile reaches further.
+  EXPECT_NE(sigmascape_ground_height(ground_, example_.side_m() + 110.0, 0.0, &height_m), 0);
   EXPECT_NE(sigmascape_ground_height(ground_, std::nan(""), 0.0, &height_m), 0);
   EXPECT_EQ(height_m, 7.0);
   EXPECT_NE(sigmascape_ground_height(ground_, 0.0, 0.0, nullptr), 0);

@@ -90,7 +90,7 @@ std::shared_ptr<terrain::TerrainPyramid> walls(std::uint32_t tiles_a_side, std::
                            terrain::TileSummary{0.0F, 30.0F, level == 0 ? 0.0F : 30.0F});
   }
   return std::make_shared<terrain::TerrainPyramid>(
-      layout, std::move(summaries),
+      layout, layout.extent(), std::move(summaries),
       [layout, made](terrain::TileKey key) {
         ++*made;
         auto tile = std::make_shared<terrain::HeightTile>();
@@ -442,6 +442,27 @@ TEST_F(LiveTerrainTest, ThePapersPictureIsRefusedWhereItCannotBeDrawn) {
     settings.visibility.raster.longest_side = side;
     EXPECT_THAT(message_of_error([&] { LiveRenderer(ground, settings); }), HasSubstr("pixels a side"));
   }
+}
+
+// The last tiles reach 1856 m further east than the heights, and no tile further west.
+TEST_F(LiveTerrainTest, GroundEndsInTheEastWhereItsHeightsEnd) {
+  ExampleGround rimmed = even_example();
+  rimmed.height_m = [](Vec2d way) { return std::abs(way.x) > 1060.0 ? 200.0 : std::max(300.0 - std::abs(way.x), 0.0); };
+  const auto ground = rimmed.over(*store_);
+  const auto seen_from = [&](double azimuth_deg, double range_m, double height_m) {
+    ExampleView view{.azimuth_deg = azimuth_deg, .slant_range_m = range_m};
+    view.elevation_deg = deg_from_radians(std::asin(height_m / range_m));
+    LiveRenderer renderer(ground, view.settings(FrameContent::Powers));
+    return settled_frame(renderer, *ground, view.pose()).report;
+  };
+  // Over the rim, at 1.2° from 3.5 km away, the crest stands out; over a rim that goes on to 530 m from the radar, at
+  // 5.4°, it would not.
+  const FrameReport east = seen_from(90.0, 3500.0, 150.0), west = seen_from(270.0, 3500.0, 150.0);
+  EXPECT_GT(west.lit, 100U);
+  EXPECT_NEAR(static_cast<double>(east.lit), static_cast<double>(west.lit), 0.1 * static_cast<double>(west.lit));
+  // And 400 m beside the heights nothing is known that a radar lower than the rim could be below.
+  EXPECT_EQ(seen_from(270.0, 1500.0, 100.0).below_ground_m, 0.0);
+  EXPECT_EQ(seen_from(90.0, 1500.0, 100.0).below_ground_m, 0.0);
 }
 
 TEST_F(LiveTerrainTest, NoStepShowsOverHillsWhereTheLevelsChange) {

@@ -354,7 +354,7 @@ std::shared_ptr<terrain::TerrainPyramid> plateau() {
     summaries.emplace_back(layout.across(level), layout.down(level), summary_of(level));
   }
   return std::make_shared<terrain::TerrainPyramid>(
-      layout, std::move(summaries),
+      layout, layout.extent(), std::move(summaries),
       [coarsest = layout.levels() - 1, height_m](terrain::TileKey key) {
         auto tile = std::make_shared<terrain::HeightTile>();
         tile->height_m.assign(terrain::HeightTile::nodes * terrain::HeightTile::nodes,

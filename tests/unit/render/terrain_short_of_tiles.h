@@ -27,7 +27,7 @@ inline std::shared_ptr<terrain::TerrainPyramid> short_of(const terrain::HeightFi
         of_level(column, row) = whole->summary({level, column, row});
   }
   return std::make_shared<terrain::TerrainPyramid>(
-      whole->layout(), std::move(summaries),
+      whole->layout(), whole->extent(), std::move(summaries),
       [whole, &is_short](terrain::TileKey key) {
         if (is_short && key.level + 1 < whole->levels()) throw Error("tile", "cannot be opened", "close other files");
         return whole->load(key);

@@ -28,7 +28,7 @@ class TerrainWindowsTest : public ::testing::Test {
     for (int level = 0; level < layout.levels(); ++level)
       summaries.emplace_back(layout.across(level), layout.down(level), terrain::TileSummary{3.0F, 3.0F, 1.0F});
     return std::make_shared<terrain::TerrainPyramid>(
-        layout, std::move(summaries),
+        layout, layout.extent(), std::move(summaries),
         [this](TileKey key) {
           reading(key);
           return std::make_shared<const HeightTile>(

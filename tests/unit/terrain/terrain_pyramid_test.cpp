@@ -4,6 +4,7 @@
 #include <atomic>
 #include <chrono>
 #include <cmath>
+#include <fmt/format.h>
 #include <fstream>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -17,6 +18,7 @@
 
 #include "sigmascape/geo/geo_raster.h"
 #include "sigmascape/terrain/pyramid_builder.h"
+#include "sigmascape/terrain/pyramid_files.h"
 #include "sigmascape/terrain/terrain_window.h"
 
 namespace sigmascape::terrain {
@@ -129,7 +131,7 @@ TEST(TerrainWindow, LevelsMeetWithoutCracks) {
       throw Error("tile", "is missing", "");
     return whole.load(key);
   };
-  TerrainPyramid pyramid(layout, summaries_of(whole), read, 100 * HeightTile::bytes);
+  TerrainPyramid pyramid(layout, whole.extent(), summaries_of(whole), read, 100 * HeightTile::bytes);
   TerrainWindow window(1500);
   EXPECT_EQ(window.fill(pyramid, layout.extent(), 0, TileWait::Load).lacking.size(), 8U);
   // One lattice of nodes, bilinear between them: a node on an edge has the height of one of the two sides.
@@ -229,6 +231,22 @@ TEST_F(PyramidOnDisk, IsTheOneInMemory) {
   EXPECT_TRUE(stored.faults().empty());
 }
 
+TEST_F(PyramidOnDisk, KnowsWhereItsGroundEnds) {
+  ASSERT_NE(field_.extent(), PyramidLayout::covering(field_.extent(), field_.spacing_m).extent());
+  EXPECT_EQ(pyramid_in_memory(field_).extent(), field_.extent());
+  EXPECT_EQ(open_pyramid(folder_.path("pyramid"), 100 * HeightTile::bytes).extent(), field_.extent());
+  // A heading of a former kind does not tell, until the pyramid is built again; its tiles stay.
+  PyramidHeading heading = read_heading(tile("pyramid.toml"));
+  folder_.write("pyramid/pyramid.toml",
+                fmt::format("west_m = {}\nnorth_m = {}\nspacing_m = {}\ntiles_across = {}\ntiles_down = {}\n"
+                            "source_hash = \"{}\"\n",
+                            field_.west_m, field_.north_m, field_.spacing_m, heading.layout.tiles_across,
+                            heading.layout.tiles_down, heading.source_hash));
+  EXPECT_EQ(open_pyramid(folder_.path("pyramid"), 100 * HeightTile::bytes).extent(), heading.layout.extent());
+  EXPECT_EQ(build_pyramid(folder_.path("pyramid"), field_, {43.0, -3.0}), 0U);
+  EXPECT_EQ(open_pyramid(folder_.path("pyramid"), 100 * HeightTile::bytes).extent(), field_.extent());
+}
+
 TEST_F(PyramidOnDisk, KeepsWithinItsBudget) {
   constexpr std::size_t budget = 5 * HeightTile::bytes;
   TerrainPyramid pyramid = open_pyramid(folder_.path("pyramid"), budget);
@@ -273,11 +291,13 @@ TEST(TerrainPyramid, AsksAgainForATileThatCouldNotBeHad) {
       for (std::uint32_t column = 0; column < of_level.columns(); ++column)
         of_level(column, row) = whole.summary({level, column, row});
   }
-  TerrainPyramid patient(whole.layout(), summaries, reader, 8 * HeightTile::bytes, std::chrono::hours(1));
+  TerrainPyramid patient(whole.layout(), whole.extent(), summaries, reader, 8 * HeightTile::bytes,
+                         std::chrono::hours(1));
   EXPECT_EQ(patient.load(key), nullptr);
   EXPECT_EQ(patient.load(key), nullptr);
   EXPECT_EQ(asked, 1) << "not at once";
-  TerrainPyramid pyramid(whole.layout(), summaries, reader, 8 * HeightTile::bytes, std::chrono::milliseconds(0));
+  TerrainPyramid pyramid(whole.layout(), whole.extent(), summaries, reader, 8 * HeightTile::bytes,
+                         std::chrono::milliseconds(0));
   EXPECT_EQ(pyramid.load(key), nullptr);
   EXPECT_EQ(pyramid.faults().size(), 1U);
   is_short = false;
