@@ -158,6 +158,31 @@ TEST(ImageNoise, of_a_strip_is_lifted_as_the_pattern_is_evened_out) {
                             "mean of 1/g⁴ over the band"});
 }
 
+/// Noise is lifted by the depression under which the strip is passed, not by that of time zero, 2 km lower.
+TEST(ImageNoise, of_a_climbing_strip_is_that_of_where_it_is_passed) {
+  const auto terrain = level_terrain(1000.0);
+  auto level = looking_north_in(radar::Mode::Stripmap);
+  level.processing.thermal_noise = true;
+  level.waveform.window = {.shape = radar::WindowShape::Rectangular};
+  level.beam_width_rad = radians_from_deg(2.0);
+  level.scan = {.kind = radar::ScanKind::Fixed, .azimuth_rad = 0.0};
+  level.position.z = 6000.0;
+  constexpr double climb_mps = 20.0, earlier_s = 200.0;
+  auto climbing = level;
+  climbing.velocity_mps = {std::sqrt(100.0 * 100.0 - climb_mps * climb_mps), 0.0, climb_mps};
+  climbing.position = climbing.position - climbing.velocity_mps * earlier_s;
+  const auto noise_db = [&](const radar::Radar& radar) {
+    const auto image =
+        simulate::stripmap_image({&terrain, even_in_all_channels(0.0F)}, radar, {-60.0, -100.0, 60.0, 100.0},
+                                 {.along_resolution_m = 0.6, .scatterer_spacing_m = 20.0});
+    const auto row = image.closest_range_m.bins / 2;
+    return db_from_linear(mean_of_rows(image.amplitude_m, row - 8, row + 8));
+  };
+  validation::expect_close({image_noise_group,
+                            "noise of a strip at the end of a climb of 4 km over that of level flight", 0.0,
+                            noise_db(climbing) - noise_db(level), 0.2, "dB", "the same geometry"});
+}
+
 /// With all that an image can have in it, the bytes are those of one thread for any number of them.
 TEST(ImageNoise, and_all_else_does_not_depend_on_threads) {
   const auto terrain = level_terrain(1000.0);

@@ -23,7 +23,7 @@ double cosecant_voltage(const CosecantSquaredBeam& beam, double offset_rad, doub
 }
 
 double tabulated_voltage(const std::vector<TabulatedBeam::Sample>& samples, double x) {
-  if (x <= samples.front().offset) return std::sqrt(samples.front().power);
+  if (!(x > samples.front().offset)) return std::sqrt(samples.front().power);
   if (x >= samples.back().offset) return std::sqrt(samples.back().power);
   const auto right = std::ranges::upper_bound(samples, x, {}, &TabulatedBeam::Sample::offset);
   const auto left = right - 1;

@@ -1,5 +1,6 @@
 #include "sigmascape/receiver/strip_pattern.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace sigmascape::receiver {
@@ -17,7 +18,7 @@ StripPattern::StripPattern(const radar::AntennaCut& azimuth, double squint_rad, 
 
 double StripPattern::voltage(double sine_seen, double sine_believed, double sine_depression) const {
   if (!(std::abs(sine_seen) < 1.0 && std::abs(sine_believed) < 1.0)) return 0.0;
-  const double cosine = std::sqrt(1.0 - sine_depression * sine_depression);
+  const double cosine = std::sqrt(std::max(1.0 - sine_depression * sine_depression, 0.0));
   const double axis = azimuth_of(sine_squint_, cosine);
   // One-way power is two-way voltage.
   const double there = azimuth_.power(clockwise_ * (azimuth_of(sine_seen, cosine) - axis)),

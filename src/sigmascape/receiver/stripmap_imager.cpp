@@ -112,10 +112,20 @@ StripmapImager::StripmapImager(const radar::Radar& radar, const radar::Motion& p
   }
 }
 
+/// As the platform passes a place of the strip.
+double StripmapImager::height_over_ground_m(double along_m) const {
+  return std::abs(frame_.platform.position.z + direction_.z * along_m - strip_.ground_m);
+}
+
+double StripmapImager::height_over_middle_m() const {
+  return height_over_ground_m(0.5 * (strip_.first_along_m + strip_.last_along_m));
+}
+
 /// The gate may open before any ground answers.
 double StripmapImager::nearest_ground_m() const {
-  return std::max(frame_.closest_range_m.first,
-                  std::abs(frame_.platform.position.z - strip_.ground_m) - strip_.relief_m);
+  const double lowest_m =
+      std::min(height_over_ground_m(strip_.first_along_m), height_over_ground_m(strip_.last_along_m));
+  return std::max(frame_.closest_range_m.first, lowest_m - strip_.relief_m);
 }
 
 StripProcessing StripmapImager::processing() const {
@@ -151,7 +161,7 @@ double StripmapImager::ghost_voltage(const Fold& fold, double sine_depression) c
 
 /// Of the ground that is passed at this range.
 double StripmapImager::sine_depression_at(double closest_m) const {
-  return std::min(0.99, std::abs(frame_.platform.position.z - strip_.ground_m) / closest_m);
+  return std::min(0.99, height_over_middle_m() / closest_m);
 }
 
 /// By how much the processor that evens out the pattern over its band raises the noise there, whose power has the
@@ -173,7 +183,7 @@ std::vector<AzimuthAmbiguity> StripmapImager::ambiguities() const {
   constexpr int parts = 64;
   const double near_m = nearest_ground_m(),
                far_m = std::max(near_m, frame_.closest_range_m.middle_of(static_cast<double>(range_.samples)));
-  const double height_m = std::abs(frame_.platform.position.z - strip_.ground_m);
+  const double height_m = height_over_middle_m();
   const double sine_depression = sine_depression_at(0.5 * (near_m + far_m));
   const int most = static_cast<int>(4.0 * speed_mps_ / (wavelength_m(frame_.frequency_hz) * repetition_hz_)) + 1;
   std::vector<AzimuthAmbiguity> found;
@@ -244,7 +254,8 @@ void StripmapImager::add(std::span<const radar::Scatterer> ground, unsigned thre
           hashed(std::bit_cast<std::uint64_t>(point.position.x), std::bit_cast<std::uint64_t>(point.position.y), order);
       const Fold fold = fold_of(order, static_cast<double>(unit_float(key)) - 0.5);
       const Vec3d away = point.position - frame_.platform.position;
-      const double voltage = ghost_voltage(fold, away.z / length(away - direction_ * dot(away, direction_)));
+      const Vec3d across = away - direction_ * dot(away, direction_);
+      const double voltage = ghost_voltage(fold, across.z / length(across));
       if (voltage == 0.0) {
         places[i].column = places[i].row = std::nan("");
         continue;

@@ -79,6 +79,8 @@ class StripmapImager {
   [[nodiscard]] Fold fold_of(int order, double part_of_band) const;
   [[nodiscard]] double ghost_voltage(const Fold& fold, double sine_depression) const;
   [[nodiscard]] double noise_lift(double closest_m) const;
+  [[nodiscard]] double height_over_ground_m(double along_m) const;
+  [[nodiscard]] double height_over_middle_m() const;
   [[nodiscard]] double nearest_ground_m() const;
   [[nodiscard]] double sine_depression_at(double closest_m) const;
   [[nodiscard]] Seen seen(Vec3d position, double own_range_rate_mps, const Fold& fold) const;
