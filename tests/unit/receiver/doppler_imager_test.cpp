@@ -1,6 +1,8 @@
 #include "sigmascape/receiver/doppler_imager.h"
 
+#include <algorithm>
 #include <cmath>
+#include <complex>
 #include <gtest/gtest.h>
 #include <vector>
 
@@ -52,6 +54,50 @@ TEST(DopplerImager, HasCellsOfTheWeightsThatALookHas) {
       }
     }
   }
+}
+
+/// A mover at the blind speed is shown at its own place, among the ground there, and is in focus as its pulses are when
+/// they are held against those of that ground.
+TEST(DopplerImager, AMoverThatFoldsIsAsSharpAsItsPulsesSay) {
+  constexpr double wavelength = 0.03, repetition_hz = 1000.0;
+  constexpr std::size_t pulses = 500;
+  radar::Radar radar;
+  radar.frequency_hz = speed_of_light_mps / wavelength;
+  radar.range_resolution_m = 15.0;
+  radar.position = {0.0, 0.0, 2000.0};
+  radar.velocity_mps = {250.0, 0.0, 0.0};
+  radar.waveform.window.shape = radar::WindowShape::Rectangular;
+  const Vec3d ahead{6000.0, 6000.0, 0.0}, away = ahead - radar.position;
+  const double range_m = length(away);
+  radar::Target mover;
+  mover.rcs_m2 = radar::Channels{1.0F, 1.0F, 0.0F, 1.0F};
+  // Along the ground towards the radar, at λ f_p/2 along the line of sight.
+  const Vec2d ground = Vec2d{away.x, away.y} * (1.0 / std::hypot(away.x, away.y));
+  const double speed_mps = 0.5 * wavelength * repetition_hz * range_m / std::hypot(away.x, away.y);
+  mover.track = radar::Track::straight(ahead, {-ground.x * speed_mps, -ground.y * speed_mps, 0.0});
+  radar::Target still = mover;
+  still.track = radar::Track::straight(ahead);
+  const auto brightest = [&](const radar::Target& target) {
+    DopplerImager imager(
+        radar, radar::Track::straight(radar.position, radar.velocity_mps),
+        {.pulses = pulses, .repetition_hz = repetition_hz, .window = radar.waveform.window, .oversampling = 3.0},
+        {range_m - 60.0, range_m + 60.0, 2.0}, ahead);
+    imager.add(std::vector<radar::Target>{target});
+    const radar::RangeDopplerImage image = imager.image();
+    double most = 0.0;
+    for (const auto& bin : image.amplitude_m.values()) most = std::max(most, static_cast<double>(std::norm(bin.vv)));
+    return most;
+  };
+  std::complex<double> sum;
+  for (std::size_t pulse = 0; pulse < pulses; ++pulse) {
+    const double time_s = (static_cast<double>(pulse) - 0.5 * (pulses - 1.0)) / repetition_hz;
+    const Vec3d platform = radar.position + radar.velocity_mps * time_s;
+    const double further_m = length(mover.track.position_at(time_s) - platform) - length(ahead - platform);
+    sum += std::polar(1.0 / pulses, -4.0 * pi * further_m / wavelength);
+  }
+  const double expected_db = db_from_linear(std::norm(sum));
+  EXPECT_GT(expected_db, -0.2);
+  EXPECT_NEAR(db_from_linear(brightest(mover) / brightest(still)), expected_db, 0.1);
 }
 
 }  // namespace
