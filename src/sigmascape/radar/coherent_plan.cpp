@@ -215,6 +215,21 @@ void check_band_is_known(const Radar& radar, double along_resolution_m) {
                   radar.processing.looks > 1 ? ", fewer mode.looks" : "", rounded_up(band_hz, digits)));
 }
 
+/// Each look takes a pulse of what is passed, and Doppler takes two.
+void check_strip_has_pulses(const Radar& radar, const CoherentPlan& plan) {
+  const double repetition_hz = radar.waveform.pulse_repetition_hz, pulses = plan.interval_s * repetition_hz;
+  const double fewest = std::max(2.0, static_cast<double>(plan.looks));
+  if (std::round(pulses) >= fewest) return;
+  throw Error(
+      title_of(radar),
+      fmt::format("has {:.3g} pulses of what it passes, at {:.3g} m along the flight and a pulse repetition "
+                  "frequency of {:g} Hz, and {}",
+                  pulses, plan.along_resolution_m, repetition_hz,
+                  plan.looks > 1 ? fmt::format("{} looks, each of which takes one", plan.looks) : "Doppler takes two"),
+      fmt::format("give a finer mode.along_resolution_m{} or waveform.pulse_repetition_hz of at least {:g}",
+                  plan.looks > 1 ? ", fewer mode.looks" : "", rounded_up(repetition_hz * fewest / pulses, digits)));
+}
+
 void plan_strip(const Radar& radar, const Sight& sight, CoherentPlan& plan) {
   if (!(sight.ground_range_m > 0.0) || beam_straddles_course(radar, sight))
     refuse_straight_ahead(radar, sight, "map ground farther to the side");
@@ -232,6 +247,7 @@ void plan_strip(const Radar& radar, const Sight& sight, CoherentPlan& plan) {
   const double sine = std::sin(plan.squint_rad);
   plan.interval_s = cells_of_width(radar) * wavelength_m(radar.frequency_hz) * sight.range_m /
                     (2.0 * length(radar.velocity_mps) * sine * sine * plan.along_resolution_m);
+  check_strip_has_pulses(radar, plan);
 }
 
 /// What the pulses of the interval resolve across range, with all that the line of sight turns meanwhile and not only
@@ -270,13 +286,15 @@ std::array<double, 2> off_course_of_widths(const Radar& radar, const Sight& sigh
 /// Each look in so few pulses answers in another shape than that of its window.
 void check_pulses(const Radar& radar, const CoherentPlan& plan, std::vector<std::string>& warnings) {
   constexpr double few = 4.0;
+  const bool strips = radar.mode == Mode::Stripmap;
   const double pulses = plan.interval_s * radar.waveform.pulse_repetition_hz / plan.looks;
   if (!(std::round(pulses) < few)) return;
   warnings.push_back(
-      fmt::format("each look has {:.0f} pulse{}, too few for the resolution of {:.3g} m across range and for the side "
-                  "lobes of its window; use a longer mode.interval_s, fewer mode.looks or a higher "
-                  "waveform.pulse_repetition_hz",
-                  pulses, std::round(pulses) > 1.0 ? "s" : "", plan.along_resolution_m));
+      fmt::format("each look has {:.0f} pulse{}, too few for the resolution of {:.3g} m {} and for the side lobes of "
+                  "its window; use a {}, fewer mode.looks or a higher waveform.pulse_repetition_hz",
+                  pulses, std::round(pulses) > 1.0 ? "s" : "", plan.along_resolution_m,
+                  strips ? "along the flight" : "across range",
+                  strips ? "finer mode.along_resolution_m" : "longer mode.interval_s"));
 }
 
 /// Across the line of sight, of a strip along the flight.
@@ -372,9 +390,9 @@ std::vector<std::string> plan_warnings(const Radar& radar, const CoherentPlan& p
   const Vec2d centre = area.centre();
   const Vec3d middle{centre.x, centre.y, height_m};
   check_resolves(radar, plan, area, warnings);
+  check_pulses(radar, plan, warnings);
   if (radar.mode == Mode::Stripmap) return warnings;
   check_turn(radar, plan, middle, warnings);
-  check_pulses(radar, plan, warnings);
   const double prf_hz = radar.waveform.pulse_repetition_hz, middle_hz = doppler_of_hz(radar, middle);
   if (most_hz - least_hz > prf_hz) {
     warnings.push_back(

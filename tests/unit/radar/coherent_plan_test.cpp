@@ -332,6 +332,29 @@ TEST(CoherentPlan, AStripsBandIsNoWiderThanPulsesKnowDoppler) {
   EXPECT_THAT(refused(), HasSubstr("with 2 looks"));
 }
 
+TEST(CoherentPlan, AStripHasPulsesForItsLooks) {
+  // n λ r/(2 v δ) f_p pulses pass a place: 0.8859 · 4 · 0.03 m · 10 km/(2 · 200 m/s · 100 m) · f_p.
+  Radar radar = flying_north(Mode::Stripmap);
+  radar.processing.along_resolution_m = 100.0;
+  radar.processing.looks = 4;
+  const auto refused = [&] {
+    return message_of_error([&] { static_cast<void>(coherent_plan(radar, place_at(90.0))); });
+  };
+  radar.waveform.pulse_repetition_hz = 100.0;
+  EXPECT_THAT(refused(),
+              HasSubstr("has 2.66 pulses of what it passes, at 100 m along the flight and a pulse repetition "
+                        "frequency of 100 Hz, and 4 looks, each of which takes one; give a finer "
+                        "mode.along_resolution_m, fewer mode.looks or waveform.pulse_repetition_hz of at "
+                        "least 151"));
+  radar.waveform.pulse_repetition_hz = 151.0;
+  EXPECT_EQ(refused(), "");
+  const Rectangle area{9000.0, -1000.0, 11000.0, 1000.0};
+  EXPECT_THAT(plan_warnings(radar, coherent_plan(radar, place_at(90.0)), area, 0.0),
+              ::testing::Contains(HasSubstr("each look has 1 pulse, too few for the resolution of 100 m along the "
+                                            "flight and for the side lobes of its window; use a finer "
+                                            "mode.along_resolution_m, fewer mode.looks")));
+}
+
 TEST(CoherentPlan, WarnsWhereTheLineOfSightTurnsFar) {
   // Abeam and level the pulses of T turn by Δ, tan Δ/2 = v T/2 r, and resolve w λ/(4 sin Δ/2), of which the plan has
   // cos Δ/2.
