@@ -21,8 +21,8 @@ struct Row {
   double offset_deg = 0.0, gain_db = 0.0;
 };
 
-/// Once around either way.
-constexpr double most_offset_deg = 360.0;
+/// To either side of the axis; beyond is the other side.
+constexpr double most_offset_deg = 180.0;
 /// Far more than any antenna has, and little enough that half of the peak is another number than the peak.
 constexpr double most_gain_db = 1000.0;
 

@@ -123,6 +123,12 @@ void check_all_round(const std::vector<double>& azimuths_rad, const std::filesys
                   (lacks_a_side ? 1.0 : widest_in_steps) * deg_from_radians(second)));
 }
 
+/// From 0 on. Of degrees no whole turn leaves a rounding, as it would of radians.
+double within_a_turn_deg(double azimuth_deg) {
+  const double rest_deg = std::fmod(azimuth_deg, 360.0);
+  return rest_deg < 0.0 ? rest_deg + 360.0 : rest_deg;
+}
+
 Channels channels_of(const RcsRow& row) {
   const double vv = linear_from_db(*row[Vv]), hh = linear_from_db(*row[Hh]);
   const double correlation = row[Correlation].value_or(1.0);
@@ -169,7 +175,7 @@ RcsTable read_rcs_table(const std::filesystem::path& path) {
     if (reader.columns.empty()) return reader.read_names(line, number);
     const RcsRow row = reader.read_row(line, number);
     const std::array<double, 3> key{row[Frequency].value_or(0.0) * 1e9, radians_from_deg(row[Elevation].value_or(0.0)),
-                                    wrapped_azimuth(radians_from_deg(*row[Azimuth]))};
+                                    radians_from_deg(within_a_turn_deg(*row[Azimuth]))};
     // Tables often close the circle and tell 360° as well as 0°.
     const auto [place, is_new] = entries.emplace(key, Entry{channels_of(row), *row[Azimuth]});
     const Entry& before = place->second;

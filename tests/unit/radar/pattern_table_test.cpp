@@ -44,9 +44,9 @@ TEST(PatternTable, FaultsAreToldWithTheirLine) {
   EXPECT_THAT(fault_of("0,0\n1,-4\n2,-9\n"), HasSubstr("does not fall to half of its peak on both sides"));
   EXPECT_THAT(fault_of("offset_deg,gain_db\n"), HasSubstr("fewer than three lines"));
   EXPECT_THAT(fault_of("0,1e17\n1,0\n2,-50\n"), HasSubstr("cut.csv:1: \"0,1e17\" is out of range"));
-  EXPECT_THAT(fault_of("-1e300,-10\n0,0\n1e300,-10\n"), HasSubstr("give offsets of at most 360 degrees"));
+  EXPECT_THAT(fault_of("-1e300,-10\n0,0\n1e300,-10\n"), HasSubstr("give offsets of at most 180 degrees"));
   EXPECT_THAT(fault_of("-1e-7,-3.2\n0,0\n1e-7,-3.2\n"), HasSubstr("give one of 1e-05 to 90 degrees"));
-  EXPECT_THAT(fault_of("-200,-10\n0,0\n200,-10\n"), HasSubstr("give one of 1e-05 to 90 degrees"));
+  EXPECT_THAT(fault_of("-179,-10\n0,0\n179,-10\n"), HasSubstr("give one of 1e-05 to 90 degrees"));
   EXPECT_THAT(message_of_error([&] { static_cast<void>(read_pattern_table(folder.path("none.csv"))); }),
               HasSubstr("none.csv: cannot be read"));
 }

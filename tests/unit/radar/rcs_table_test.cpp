@@ -86,6 +86,19 @@ TEST_F(RcsTableFile, says_in_which_line_it_is_wrong) {
   EXPECT_THROW((void)read_rcs_table(folder_.path(".")), Error);
 }
 
+/// At one elevation from 0 to 350°, at the next the same directions from −180 to 170°.
+TEST_F(RcsTableFile, knows_an_azimuth_by_whole_turns_of_it) {
+  std::string text = "azimuth_deg, elevation_deg, vv_dbsm, hh_dbsm\n";
+  for (int azimuth = 0; azimuth < 360; ++azimuth) {
+    text += std::to_string(azimuth) + ", 0, 1, 1\n";
+    text += std::to_string(azimuth - 180) + ", 10, 1, 1\n";
+  }
+  EXPECT_EQ(fault_of(text), "");
+  EXPECT_THAT(fault_of(text + "-20, 0, 2, 2\n"),
+              testing::HasSubstr("tells a second time what is returned at an azimuth "
+                                 "of -20°"));
+}
+
 TEST_F(RcsTableFile, refuses_what_no_radar_measures) {
   using testing::HasSubstr;
   EXPECT_THAT(fault_of("azimuth_deg, vv_dbsm, hh_dbsm\n0, 1e6, 2\n"),
