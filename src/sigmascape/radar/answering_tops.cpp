@@ -28,23 +28,28 @@ std::size_t layover_squares(double top_m, double cell_m) {
 }
 
 /// Rows first and then columns: the higher reaches farther, so that what is lost to it in a row would be lost anyway.
-Array2D<float> answering_tops_m(const Array2D<float>& standing_m, double cell_m, FromAfar from_afar) {
-  Array2D<float> answering_m(standing_m.columns(), standing_m.rows());
-  for (std::size_t row = 0; row < standing_m.rows(); ++row) spread(standing_m.row(row), cell_m, answering_m.row(row));
+Array2D<float> overlying_tops_m(const Array2D<float>& standing_m, double cell_m) {
+  Array2D<float> overlying_m(standing_m.columns(), standing_m.rows());
+  for (std::size_t row = 0; row < standing_m.rows(); ++row) spread(standing_m.row(row), cell_m, overlying_m.row(row));
   std::vector<float> line(standing_m.rows()), reaching(standing_m.rows());
   for (std::size_t column = 0; column < standing_m.columns(); ++column) {
-    for (std::size_t row = 0; row < line.size(); ++row) line[row] = answering_m(column, row);
+    for (std::size_t row = 0; row < line.size(); ++row) line[row] = overlying_m(column, row);
     spread(line, cell_m, reaching);
-    for (std::size_t row = 0; row < line.size(); ++row) answering_m(column, row) = reaching[row];
+    for (std::size_t row = 0; row < line.size(); ++row) overlying_m(column, row) = reaching[row];
   }
-  if (from_afar == FromAfar::Unhidden) std::ranges::replace(answering_m.values(), 0.0F, from_afar_m);
-  return answering_m;
+  return overlying_m;
+}
+
+void add_what_comes_from_afar(std::span<float> top_m, FromAfar from_afar) {
+  if (from_afar == FromAfar::Unhidden) std::ranges::replace(top_m, 0.0F, from_afar_m);
 }
 
 AnsweringTops answering_tops(const ObstacleMap& map, FromAfar from_afar) {
   Array2D<float> standing_m(map.obstacles.columns(), map.obstacles.rows());
   for (std::size_t i = 0; i < standing_m.size(); ++i) standing_m.values()[i] = map.obstacles.values()[i].top_m();
-  return {map.grid, answering_tops_m(standing_m, map.grid.cell_m, from_afar)};
+  AnsweringTops tops{map.grid, overlying_tops_m(standing_m, map.grid.cell_m)};
+  add_what_comes_from_afar(tops.top_m.values(), from_afar);
+  return tops;
 }
 
 }  // namespace sigmascape::radar

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
+#include <span>
 
 #include "sigmascape/base/array2d.h"
 #include "sigmascape/radar/ground_grid.h"
@@ -39,15 +39,11 @@ struct AnsweringTops {
 /// one more, for its wall stands somewhere within a square.
 [[nodiscard]] std::size_t layover_squares(double top_m, double cell_m);
 
-/// From the heights of what stands on each square, [column, row].
-[[nodiscard]] Array2D<float> answering_tops_m(const Array2D<float>& standing_m, double cell_m, FromAfar from_afar);
+/// How high what lies over into each square stands, from the heights of what stands on each, [column, row]; 0 where
+/// nothing does.
+[[nodiscard]] Array2D<float> overlying_tops_m(const Array2D<float>& standing_m, double cell_m);
+/// Makes overlying tops answering ones.
+void add_what_comes_from_afar(std::span<float> top_m, FromAfar from_afar);
 [[nodiscard]] AnsweringTops answering_tops(const ObstacleMap& map, FromAfar from_afar);
-
-/// Of two squares as one: the higher of what stands there, from_afar_m only where nothing does.
-[[nodiscard]] inline float higher_standing_m(float a_m, float b_m) {
-  if (a_m == from_afar_m) return b_m;
-  if (b_m == from_afar_m) return a_m;
-  return std::max(a_m, b_m);
-}
 
 }  // namespace sigmascape::radar

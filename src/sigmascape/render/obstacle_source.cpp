@@ -72,9 +72,9 @@ Shortage ObstacleSource::fill_tops(const atlas::TileAddress& tile, std::span<flo
       }
     }
   }
-  const Array2D<float> answering_m = radar::answering_tops_m(about, cell_m, atlas::from_afar(description()));
+  const Array2D<float> overlying_m = radar::overlying_tops_m(about, cell_m);
   for (std::size_t row = 0; row < side; ++row) {
-    std::ranges::copy(answering_m.row(margin + row).subspan(margin, side),
+    std::ranges::copy(overlying_m.row(margin + row).subspan(margin, side),
                       top_m.begin() + static_cast<std::ptrdiff_t>(row * side));
   }
   if (lacking.empty()) return {};

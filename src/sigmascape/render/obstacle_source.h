@@ -28,7 +28,7 @@ class ObstacleSource {
   }
   [[nodiscard]] bool renew(const ObstaclePage&, ObstaclePage& page) const { return fill(page); }
 
-  /// How high what answers from the texels of a tile may stand, [row][column], north up: radar::AnsweringTops of the
+  /// How high what lies over into the texels of a tile stands, [row][column], north up: radar::overlying_tops_m of the
   /// tile's level, with regard to the tiles about it. Gives back what of all these cannot be read, which must not be
   /// asked after the source is gone.
   Shortage fill_tops(const atlas::TileAddress& tile, std::span<float> top_m) const;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "sigmascape/atlas/ground_layers.h"
 #include "sigmascape/radar/answering_tops.h"
 
 namespace sigmascape::render {
@@ -15,11 +16,11 @@ using atlas::tile_side;
 void find_coarser_tops(std::span<const float> finer, std::size_t finer_side, std::span<float> coarser,
                        std::size_t side) {
   const std::size_t each = finer_side / side;
-  std::ranges::fill(coarser, radar::from_afar_m);
+  std::ranges::fill(coarser, 0.0F);
   for (std::size_t row = 0; row < finer_side; ++row) {
     for (std::size_t column = 0; column < finer_side; ++column) {
       float& top_m = coarser[row / each * side + column / each];
-      top_m = radar::higher_standing_m(top_m, finer[row * finer_side + column]);
+      top_m = std::max(top_m, finer[row * finer_side + column]);
     }
   }
 }
@@ -95,10 +96,14 @@ void PageSource::fill_relief(GroundPage& page) const {
   page.stands_on_coarser_terrain = page.lacks_something();
   if (!page.key.is_bare_ground()) return;
   keep(bare_ground_->slopes(texels, page.slope));
-  if (page.side == tile_side) return keep(bare_ground_->tops(page.key.tile, page.top_m));
-  std::vector<float> top_m(tile_side * tile_side);
-  keep(bare_ground_->tops(page.key.tile, top_m));
-  find_coarser_tops(top_m, tile_side, page.top_m, page.side);
+  if (page.side == tile_side) {
+    keep(bare_ground_->tops(page.key.tile, page.top_m));
+  } else {
+    std::vector<float> top_m(tile_side * tile_side);
+    keep(bare_ground_->tops(page.key.tile, top_m));
+    find_coarser_tops(top_m, tile_side, page.top_m, page.side);
+  }
+  radar::add_what_comes_from_afar(page.top_m, atlas::from_afar(description()));
 }
 
 bool PageSource::can_be_better(const GroundPage& page) {

@@ -18,7 +18,8 @@ using HeightSource = std::function<Shortage(const radar::GroundGrid& cells, std:
 /// Fills slopes of the ground, likewise.
 using SlopeSource = std::function<Shortage(const radar::GroundGrid& cells, std::span<terrain::PackedSlope> slope)>;
 
-/// Fills how high what answers from the texels of a tile may stand above the ground, [row][column], likewise.
+/// Fills how high what lies over into the texels of a tile stands above the ground, 0 for nothing, [row][column],
+/// likewise.
 using TopSource = std::function<Shortage(const atlas::TileAddress& tile, std::span<float> top_m)>;
 
 /// The ground by itself, of an atlas that keeps it apart.

@@ -32,13 +32,6 @@ TEST(AnsweringTops, WhereNothingReachesWhatComesFromAfarIsHiddenByNothing) {
   EXPECT_EQ(tops.at({-1.0, 20.0}), 0.0F) << "of ground outside nothing is known";
 }
 
-TEST(AnsweringTops, OfSquaresTogetherAreThoseOfWhatStandsOnThem) {
-  EXPECT_EQ(higher_standing_m(3.0F, 7.0F), 7.0F);
-  EXPECT_EQ(higher_standing_m(from_afar_m, 7.0F), 7.0F);
-  EXPECT_EQ(higher_standing_m(3.0F, from_afar_m), 3.0F);
-  EXPECT_EQ(higher_standing_m(from_afar_m, from_afar_m), from_afar_m);
-}
-
 TEST(AnsweringTops, AreTheHighestOfAllThatReachASquare) {
   constexpr std::size_t columns = 60, rows = 47;
   constexpr double cell_m = 2.0;
@@ -47,7 +40,7 @@ TEST(AnsweringTops, AreTheHighestOfAllThatReachASquare) {
     const float lot = unit_float(hashed(7, i));
     if (lot < 0.1F) standing_m.values()[i] = 900.0F * lot * lot * lot * 100.0F;
   }
-  const Array2D<float> answering_m = answering_tops_m(standing_m, cell_m, FromAfar::Hidden);
+  const Array2D<float> overlying_m = overlying_tops_m(standing_m, cell_m);
   const auto apart = [](std::size_t a, std::size_t b) { return a > b ? a - b : b - a; };
   for (std::size_t row = 0; row < rows; ++row) {
     for (std::size_t column = 0; column < columns; ++column) {
@@ -59,7 +52,7 @@ TEST(AnsweringTops, AreTheHighestOfAllThatReachASquare) {
           if (std::max(apart(column, i), apart(row, j)) <= reach) highest_m = std::max(highest_m, top_m);
         }
       }
-      ASSERT_EQ(answering_m(column, row), highest_m) << column << " " << row;
+      ASSERT_EQ(overlying_m(column, row), highest_m) << column << " " << row;
     }
   }
 }

@@ -181,7 +181,7 @@ TEST_F(LiveObstaclesTest, TopsOfATileKnowOfItsNeighbours) {
     for (std::size_t column = 0; column < about.grid.columns; ++column)
       about.obstacles(column, row) = town(about.grid.centre_of(column, row));
   }
-  const radar::AnsweringTops expected = radar::answering_tops(about, radar::FromAfar::Unhidden);
+  const radar::AnsweringTops expected = radar::answering_tops(about, radar::FromAfar::Hidden);
   for (std::size_t row = 0; row < texels.rows; ++row) {
     for (std::size_t column = 0; column < texels.columns; ++column) {
       ASSERT_EQ(tops[row * texels.columns + column], expected.at(texels.centre_of(column, row)))

@@ -262,8 +262,10 @@ TEST(StandInGround, HasTheReliefUnderItsTexels) {
   const auto slope_at = [](Vec2d p) {
     return terrain::PackedSlope{static_cast<std::int16_t>(p.x), static_cast<std::int16_t>(p.y)};
   };
+  // As high as what comes from afar is taken to be, among others.
   const auto top_at = [](const atlas::TileAddress& tile, std::size_t texel) {
-    return 20.0F * unit_float(hashed(tile.x, tile.y, static_cast<std::int64_t>(texel)));
+    return texel % 64 == 0 ? radar::from_afar_m
+                           : 20.0F * unit_float(hashed(tile.x, tile.y, static_cast<std::int64_t>(texel)));
   };
   const auto fill = [](const radar::GroundGrid& cells, auto numbers, const auto& at) {
     for (std::size_t i = 0; i < numbers.size(); ++i) {
