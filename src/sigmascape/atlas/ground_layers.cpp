@@ -1,15 +1,32 @@
 #include "sigmascape/atlas/ground_layers.h"
 
 #include <filesystem>
+#include <fmt/format.h>
 #include <utility>
 
 #include "sigmascape/atlas/building_file.h"
 #include "sigmascape/atlas/layer_store.h"
 #include "sigmascape/atlas/obstacle_file.h"
 #include "sigmascape/atlas/pyramid.h"
+#include "sigmascape/base/error.h"
+#include "sigmascape/base/interruption.h"
+#include "sigmascape/base/machine_memory.h"
 
 namespace sigmascape::atlas {
 namespace {
+
+/// Throws Error where the obstacles of all texels, and what of them answers, take more memory than there is.
+void check_room(const Store& atlas, const radar::GroundGrid& grid) {
+  const double bytes = static_cast<double>(grid.columns) * static_cast<double>(grid.rows) *
+                       static_cast<double>(sizeof(radar::Obstacle) + 2 * sizeof(float));
+  if (const double memory_bytes = machine_memory_bytes(); bytes > memory_bytes) {
+    throw Error(
+        atlas.folder().string(),
+        fmt::format("keeps what stands on its ground apart, which takes {:.3g} GB of memory, and there are {:.3g}",
+                    bytes / 1e9, memory_bytes / 1e9),
+        "take live frames, which read what they look at, or an atlas of a smaller area or coarser texels");
+  }
+}
 
 radar::ObstacleMap load_obstacles(const Store& atlas) {
   const PatchGrid& grid = atlas.description().patches;
@@ -18,8 +35,10 @@ radar::ObstacleMap load_obstacles(const Store& atlas) {
   radar::ObstacleMap map{first, {}};
   map.grid.columns *= static_cast<std::size_t>(patches.back().x - patches.front().x + 1);
   map.grid.rows *= static_cast<std::size_t>(patches.front().y - patches.back().y + 1);
+  check_room(atlas, map.grid);
   map.obstacles = Array2D<radar::Obstacle>(map.grid.columns, map.grid.rows);
   for (const PatchIndex& patch : patches) {
+    Interruption::heed();
     const Array2D<radar::Obstacle> obstacles = read_obstacles(atlas, patch);
     const auto first_column = static_cast<std::size_t>(patch.x - patches.front().x) * first.columns;
     const auto first_row = static_cast<std::size_t>(patches.front().y - patch.y) * first.rows;
