@@ -27,9 +27,14 @@ constexpr double farthest_km = 1000.0;
 std::string remedy_of_turned_ends(double first, double last, Interval allowed) {
   const std::string turned = "put the smaller number first";
   if (allowed.unit != bearings_deg.unit) return turned;
-  const double next_last = last + 360.0 * std::ceil((first - last) / 360.0);
-  if (next_last == first) return fmt::format("write [{:g}, {:g}] for all bearings", last, last + 360.0);
-  return fmt::format("write [{:g}, {:g}] for what leads across north, or else {}", first, next_last, turned);
+  const double turns = std::ceil((first - last) / 360.0), next_last = last + 360.0 * turns;
+  if (next_last == first) {
+    const double from = last + 360.0 > allowed.highest ? last - 360.0 : last;
+    return fmt::format("write [{:g}, {:g}] for all bearings", from, from + 360.0);
+  }
+  const double back = next_last > allowed.highest ? 360.0 : 0.0;
+  return fmt::format("write [{:g}, {:g}] for what leads across north, or else {}", first - back, next_last - back,
+                     turned);
 }
 
 Range range_of(const TomlSection& section, std::string_view key, Interval allowed) {
@@ -220,6 +225,7 @@ void check_places(const TomlSection& section, const TargetClass& target, const D
 }
 
 void read_bounce_atlases(const TomlSection& section, DatasetSpec& spec) {
+  spec.bounce_atlases_key = section.has("first_bounce_atlas") ? "first_bounce_atlas" : "bounce_atlases";
   if (const auto first = section.optional_file("first_bounce_atlas")) spec.bounce_atlases.push_back(*first);
   const auto folders = section.texts("bounce_atlases");
   if (!folders.empty() && !spec.bounce_atlases.empty())
@@ -239,8 +245,10 @@ void check_bounces(const TomlSection& section, const DatasetSpec& spec) {
   for (const char* key : {"first_bounce_atlas", "bounce_atlases"})
     scene::refuse_without(section, key, partner, spec.level_of_detail > 0 && !spec.bounce_layers.empty());
   if (spec.level_of_detail == 0) return;
+  std::size_t most_needed = 0;
   for (const std::string& name : spec.bounce_layers) {
     const std::size_t needed = bounces_to_know(name);
+    most_needed = std::max(most_needed, needed);
     if (needed <= spec.bounce_atlases.size()) continue;
     throw section.fault(
         "layers", fmt::format("asks for {}, and an atlas by itself does not tell bounces apart", name),
@@ -249,6 +257,10 @@ void check_bounces(const TomlSection& section, const DatasetSpec& spec) {
                                   "order, or trace with level_of_detail = 0",
                                   needed));
   }
+  if (const std::size_t given = spec.bounce_atlases.size(); given > most_needed)
+    throw section.fault(spec.bounce_atlases_key,
+                        fmt::format("names {}, of which the layers take the first {}", given, most_needed),
+                        "leave out the others, or ask for layers of more bounces");
 }
 
 /// Each has a file in the index, and a run looks through all of them before it begins.

@@ -68,6 +68,7 @@ struct DatasetSpec {
   /// What these need from level of detail 1 on: atlases of the same looks, the first baked with one bounce alone, the
   /// second with two at most, and so on.
   std::vector<std::filesystem::path> bounce_atlases;
+  std::string bounce_atlases_key;  ///< under which the file names them
   Arrangement arrangement = Arrangement::Folders;
   std::size_t samples_per_shard = 50;
 

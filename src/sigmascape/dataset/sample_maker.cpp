@@ -37,7 +37,7 @@ constexpr double clearance_m = 2.0;
 /// By how much the rounding of degrees may lead out of an atlas.
 constexpr double slack_rad = 1e-9;
 
-atlas::Store opened_store(const DatasetSpec& spec, const std::filesystem::path& folder, const char* key,
+atlas::Store opened_store(const DatasetSpec& spec, const std::filesystem::path& folder, const std::string& key,
                           const std::string& scene_hash) {
   auto store = atlas::Store::open(folder);
   if (store.description().scene_hash != scene_hash) {
@@ -76,7 +76,7 @@ void check_same_bake(const atlas::AtlasDescription& fewer, const atlas::AtlasDes
 /// The store of echoes over at most so many surfaces.
 atlas::Store opened_bounces(const DatasetSpec& spec, std::size_t most, const std::string& scene_hash,
                             const atlas::AtlasDescription& all) {
-  auto store = opened_store(spec, spec.bounce_atlases[most - 1], "bounce_atlases", scene_hash);
+  auto store = opened_store(spec, spec.bounce_atlases[most - 1], spec.bounce_atlases_key, scene_hash);
   const auto& settings = store.description().settings;
   const auto bounces = settings.find("max_bounces");
   const std::string where =

@@ -120,6 +120,8 @@ TEST_F(DatasetSpecFile, TellsHowToWriteBearingsAcrossNorth) {
                                              "first"));
   EXPECT_THAT(course("[10, -20]"), HasSubstr("write [10, 340] for"));
   EXPECT_THAT(course("[360, 0]"), HasSubstr("ends before that, at 0; write [0, 360] for all bearings"));
+  EXPECT_THAT(course("[700, 10]"), HasSubstr("write [340, 370] for what leads across north"));
+  EXPECT_THAT(course("[720, 0]"), HasSubstr("write [0, 360] for all bearings"));
   EXPECT_EQ(course("[350, 370]"), "");
   EXPECT_THAT(fault_of("4", "[noise]\nsnr_db = [20, 10]\n"),
               HasSubstr("noise.snr_db: begins at 20 and ends before that, at 10; put the smaller number first"));
@@ -190,6 +192,8 @@ TEST_F(DatasetSpecFile, TakesNoKeyThatWouldDoNothing) {
               HasSubstr("dataset.bounce_atlases: stands without a layer of bounces"));
   EXPECT_THAT(fault_of("4\n" + first + layers), HasSubstr("dataset.first_bounce_atlas: stands without atlas"));
   EXPECT_THAT(fault_of("4\n" + list + layers), HasSubstr("dataset.bounce_atlases: stands without atlas"));
+  EXPECT_THAT(fault_of(baked + "bounce_atlases = [\"first\", \"atlas\"]\n" + layers),
+              HasSubstr("dataset.bounce_atlases: names 2, of which the layers take the first 1; leave out the others"));
   EXPECT_EQ(fault_of("4\nsamples_per_cell = 8"), "");
   EXPECT_THAT(fault_of(baked + "samples_per_cell = 8"),
               HasSubstr("dataset.samples_per_cell: stands beside atlas, with which no rays are traced; leave one of"));
