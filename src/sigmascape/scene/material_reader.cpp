@@ -53,6 +53,7 @@ struct ConstantsReader {
   void operator()(scatter::ConstantGammaParameters& diffuse) const {
     if (const auto gamma_db = section.optional_number("gamma_db", {-80.0, 0.0, "dB"})) {
       diffuse.gamma = linear_from_db(*gamma_db);
+      material.verified = true;
       leave_frequencies_to_the_model();
     }
     diffuse.frequency_law = chosen(section, "frequency_law", gamma_laws, diffuse.frequency_law);
@@ -62,7 +63,7 @@ struct ConstantsReader {
   void operator()(scatter::UlabyDobsonParameters& land) const {
     land.terrain = chosen(section, "terrain", terrain_classes, land.terrain);
     land.unverified_rows = section.flag_or("unverified_rows", land.unverified_rows);
-    if (land.unverified_rows) material.verified = false;
+    material.verified = !land.unverified_rows;
     material.plants = scatter::is_plant_cover(land.terrain);
     leave_frequencies_to_the_model();
     read_depolarization(section, land.depolarization);
@@ -88,6 +89,7 @@ struct ConstantsReader {
     const scatter::Permittivity before = mirrors.permittivity;
     if (read_permittivity(section, mirrors.permittivity)) {
       if (!keeps_a_law(before)) leave_frequencies_to_the_model();
+      if (section.has("alpha")) material.verified = true;
     } else if (section.has("model")) {
       throw section.fault("permittivity", "is missing, without which nothing is reflected",
                           "give permittivity, permittivity_law, or a table water, soil or plant");

@@ -227,10 +227,15 @@ std::vector<bool> used_materials(const Scene& scene) {
   std::vector<bool> used(scene.materials.size(), false);
   for (const MaterialIndex material : scene.ground.material.values()) used[material] = true;
   for (const MaterialIndex material : scene.buildings.mesh.materials) used[material] = true;
-  for (const Mesh& mesh : scene.prototypes) {
-    for (const MaterialIndex material : mesh.materials) used[material] = true;
+  std::vector<bool> is_placed(scene.prototypes.size(), false);
+  for (const Instance& instance : scene.instances) is_placed[instance.prototype] = true;
+  for (std::size_t prototype = 0; prototype < scene.prototypes.size(); ++prototype) {
+    if (!is_placed[prototype]) continue;
+    for (const MaterialIndex material : scene.prototypes[prototype].materials) used[material] = true;
   }
-  for (const Crown& crown : scene.crowns) used[crown.medium] = true;
+  for (const Crown& crown : scene.crowns) {
+    if (is_placed[crown.prototype]) used[crown.medium] = true;
+  }
   return used;
 }
 

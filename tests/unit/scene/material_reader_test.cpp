@@ -44,6 +44,10 @@ TEST_F(MaterialReader, UnverifiedCoefficientsMarkTheMaterial) {
   EXPECT_FALSE(read("model = \"ulaby_dobson\"\nterrain = \"grass\"\nunverified_rows = true\n").verified);
   EXPECT_FALSE(read("base = \"flatland\"\nfrequency_law = \"square_root_from_10_ghz\"\n").verified);
   EXPECT_TRUE(read("base = \"flatland\"\n").verified);
+  // What a base's constants are worth says nothing of others in their place.
+  EXPECT_TRUE(read("base = \"ulaby_dobson_grass_unverified\"\nunverified_rows = false\n").verified);
+  EXPECT_FALSE(read("base = \"bark\"\nalpha = 0.3\n").verified);
+  EXPECT_TRUE(read("base = \"bark\"\npermittivity = 5\nalpha = 0.3\n").verified);
 }
 
 // The base knows C band at most; with unverified rows the material reaches as far as they do.

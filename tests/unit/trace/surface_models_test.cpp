@@ -20,5 +20,19 @@ TEST(SurfaceModels, AMaterialThatLiesNowhereAsksForNoFrequency) {
   EXPECT_THROW(static_cast<void>(surface_models(scene, 94e9)), Error);
 }
 
+// As trees of a template none of which stand in the scene.
+TEST(SurfaceModels, NorDoesWhatAPrototypeIsMadeOfThatStandsNowhere) {
+  scene::Scene scene;
+  const scene::MaterialIndex grass = scene.material_index(scatter::library_material("grass")),
+                             metal = scene.material_index(scatter::library_material("metal")),
+                             medium = scene.material_index(scatter::library_material("bark"));
+  scene.ground = {{-50, 50, 100, 1, 1}, Array2D<scene::MaterialIndex>(1, 1, grass)};
+  scene.prototypes.emplace_back().materials = {metal};
+  scene.crowns.emplace_back().medium = medium;
+  EXPECT_EQ(scene::used_materials(scene), (std::vector<bool>{true, false, false}));
+  scene.instances.emplace_back();
+  EXPECT_EQ(scene::used_materials(scene), (std::vector<bool>{true, true, true}));
+}
+
 }  // namespace
 }  // namespace sigmascape::trace
