@@ -1,6 +1,7 @@
-# `cmake --install` lays down the libraries, their headers and what find_package(sigmascape) reads: the target of a room is
-# sigmascape::<room>.
+# `cmake --install` lays down the program, the libraries, their headers and what find_package(sigmascape) reads: the target of a
+# room is sigmascape::<room>.
 include(CMakePackageConfigHelpers)
+install(TARGETS sigmascape_cli)
 set(package_folder lib/cmake/sigmascape)
 get_property(rooms GLOBAL PROPERTY SIGMASCAPE_ROOMS)
 list(TRANSFORM rooms PREPEND sigmascape_ OUTPUT_VARIABLE room_targets)

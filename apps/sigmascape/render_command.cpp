@@ -168,37 +168,6 @@ Rendered baked(const RenderOptions& options, const scene::Scene& scene, const at
   return rendered;
 }
 
-/// What only the real beam has is refused in the other modes.
-void check_coherent(const RenderOptions& options, const radar::Radar& radar) {
-  if (!options.iq.slant_image.empty()) product::check_iq_name(options.iq.slant_image);
-  if (radar.mode == radar::Mode::RealBeam) {
-    if (!options.iq.slant_image.empty()) {
-      throw Error("--slant-image", "is a complex image, and a real beam has power alone",
-                  "give the radar file another [mode], or take --snr for power over range and azimuth");
-    }
-    radar::check_earth(radar, options.radar);
-    return;
-  }
-  if (options.level_of_detail == 0) {
-    throw Error(
-        "--lod", fmt::format("0 traces power alone, and {} needs amplitudes", simulate::word_for(radar.mode)),
-        "bake the scene and give --lod 1 and --atlas, or take the [mode] out of the radar file for a real beam");
-  }
-  if (!options.power_file.empty()) {
-    throw Error("--power", fmt::format("is of single pulses, and {} works on many", simulate::word_for(radar.mode)),
-                "take --out for sigma0, or take the [mode] out of the radar file for a real beam");
-  }
-  const auto refuse = [&](const char* option, const std::string& file) {
-    if (file.empty()) return;
-    throw Error(option, fmt::format("is of range and azimuth, which {} does not have", simulate::word_for(radar.mode)),
-                "leave it out, or take the [mode] out of the radar file for a real beam");
-  };
-  refuse("--snr", options.received.snr);
-  refuse("--video", options.received.video);
-  refuse("--ppi", options.scopes.ppi);
-  refuse("--b-scope", options.scopes.b_scope);
-}
-
 /// What may be written, by option and by the word that a summary has for it.
 struct Written {
   const char* option;
@@ -217,6 +186,46 @@ std::array<Written, 10> files_of(const RenderOptions& options) {
            {"--video", "video", options.received.video},
            {"--iq", "iq", options.iq.file},
            {"--slant-image", "slant_image", options.iq.slant_image}}};
+}
+
+bool writes_a_file(const RenderOptions& options) {
+  return std::ranges::any_of(files_of(options), [](const Written& written) { return !written.file.empty(); });
+}
+
+/// Of which level suits a map, and nothing is to be made.
+bool asks_for_advice_alone(const RenderOptions& options) {
+  return options.explain && !writes_a_file(options);
+}
+
+/// What only the real beam has is refused in the other modes.
+void check_coherent(const RenderOptions& options, const radar::Radar& radar) {
+  if (!options.iq.slant_image.empty()) product::check_iq_name(options.iq.slant_image);
+  if (radar.mode == radar::Mode::RealBeam) {
+    if (!options.iq.slant_image.empty()) {
+      throw Error("--slant-image", "is a complex image, and a real beam has power alone",
+                  "give the radar file another [mode], or take --snr for power over range and azimuth");
+    }
+    radar::check_earth(radar, options.radar);
+    return;
+  }
+  if (options.level_of_detail == 0 && !asks_for_advice_alone(options)) {
+    throw Error(
+        "--lod", fmt::format("0 traces power alone, and {} needs amplitudes", simulate::word_for(radar.mode)),
+        "bake the scene and give --lod 1 and --atlas, or take the [mode] out of the radar file for a real beam");
+  }
+  if (!options.power_file.empty()) {
+    throw Error("--power", fmt::format("is of single pulses, and {} works on many", simulate::word_for(radar.mode)),
+                "take --out for sigma0, or take the [mode] out of the radar file for a real beam");
+  }
+  const auto refuse = [&](const char* option, const std::string& file) {
+    if (file.empty()) return;
+    throw Error(option, fmt::format("is of range and azimuth, which {} does not have", simulate::word_for(radar.mode)),
+                "leave it out, or take the [mode] out of the radar file for a real beam");
+  };
+  refuse("--snr", options.received.snr);
+  refuse("--video", options.received.video);
+  refuse("--ppi", options.scopes.ppi);
+  refuse("--b-scope", options.scopes.b_scope);
 }
 
 /// What names alone tell, before the work.
@@ -242,10 +251,6 @@ void check_files(const RenderOptions& options) {
   if (const std::filesystem::path atlas = options.atlas; std::filesystem::exists(atlas / "collection.json", ignored))
     read.push_back(atlas);
   check_files_to_write(named, read);
-}
-
-bool writes_a_file(const RenderOptions& options) {
-  return std::ranges::any_of(files_of(options), [](const Written& written) { return !written.file.empty(); });
 }
 
 /// Where pulses alone are asked for there is no map beside them: it would take its time, and it wants the radar to
@@ -368,8 +373,7 @@ void render(RenderOptions options, std::optional<radar::Polarization> polarizati
           ? render::explained(render::choose_detail(
                 simulate::map_question(scene, radar, grid, store ? &*store : nullptr), {.rule = options.detail_rule}))
           : "";
-  // Nothing is to be made where advice is all that is asked for.
-  if (options.explain && !writes_a_file(options))
+  if (asks_for_advice_alone(options))
     return output.finish("The resolution cell asks for " + advice, {{"advised_detail", advice}});
   const Provenance origin = origin_of(scene, hash, options.time_s);
   const radar::Rectangle area = grid.extent();
