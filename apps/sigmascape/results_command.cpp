@@ -73,7 +73,7 @@ void run_results(const ResultsOptions& options, const Output& output) {
   product::write_comparison_page(folder / "index.html", page);
   if (!options.page.empty()) {
     write_page(options.page, report, folder);
-    copy_atomically(measurement.kept_file(), std::filesystem::path(options.page).replace_filename("measured.json"));
+    measurement.write_told(std::filesystem::path(options.page).replace_filename("measured.json"));
   }
   output.finish(fmt::format("{}\nOpen {}", results_markdown(report), (folder / "index.html").string()), json);
 }
@@ -105,8 +105,10 @@ void add_results_command(Command app, Output& output) {
       .expected(2)
       .needs(scene)
       .check(number_within(-1e6, 1e6));
-  command.add_flag("--itu-materials", options->itu_materials,
-                   "the paper's scene with walls and trees of real materials instead of the paper's");
+  command
+      .add_flag("--itu-materials", options->itu_materials,
+                "the paper's scene with walls and trees of real materials instead of the paper's")
+      .excludes(scene);
   command.add_option("--held-out", options->held_out, "number of views that were not baked");
   command.add_option("--on-grid", options->on_grid, "number of views that were baked");
   command

@@ -207,8 +207,7 @@ std::string combinations_table(const ResultsPlan& plan, const std::vector<Result
   const TracedRays& rays = best->paper->rays;
   text += fmt::format("| *truth* | one traced map against another, {} rays a cell | {} | | | {}{} |\n", rays.text(),
                       metrics_text(best->paper->at_cell(summary_cell_m)->floor_median),
-                      two_digits(best->paper->trace_seconds),
-                      rays.most > rays.fewest ? fmt::format(" with {}", rays.fewest) : "");
+                      two_digits(best->paper->trace_seconds), rays.with_fewest());
   std::vector<const ResultsRow*> told;
   for (const auto& [what, row] : lines) {
     if (row == nullptr || std::ranges::find(told, row) != told.end()) continue;

@@ -147,11 +147,17 @@ Json json_of(const MeasuredView& measured) {
           {"slant_range_m", view.slant_range_m},
           {"traced_samples", view.traced_samples},
           {"repeated", view.is_repeated},
-          {"machine", measured.machine},
+          {"machines", measured.machines},
           {"trace_s", any.trace_seconds},
           {"noise_floor", json_of(any.noise_floor)},
           {"noise_by_level", json_of(any.noise_by_level)},
           {"results", std::move(results)}};
+}
+
+/// Files of a former kind name one.
+std::vector<std::string> machines_in(const Json& json) {
+  if (!json.contains("machines")) return {json.at("machine").get<std::string>()};
+  return json.at("machines").get<std::vector<std::string>>();
 }
 
 MeasuredView view_in(const Json& json) {
@@ -163,7 +169,7 @@ MeasuredView view_in(const Json& json) {
                                  .slant_range_m = json.at("slant_range_m").get<double>(),
                                  .traced_samples = json.at("traced_samples").get<std::uint32_t>(),
                                  .is_repeated = json.at("repeated").get<bool>()},
-                        .machine = json.at("machine").get<std::string>(),
+                        .machines = machines_in(json),
                         .results = {}};
   for (const Json& each : json.at("results")) {
     ViewResult& result = measured.results.emplace_back(result_in(each, measured.scene, measured.view));
@@ -249,9 +255,15 @@ void MeasuredViews::read(const std::filesystem::path& file) {
 }
 
 void MeasuredViews::write() const {
-  Json views = Json::array();
-  for (const MeasuredView& measured : views_) views.push_back(json_of(measured));
-  geo::write_atomically(file_, Json{{"settings", settings_}, {"views", std::move(views)}}.dump() + "\n");
+  std::vector<const MeasuredView*> all;
+  for (const MeasuredView& measured : views_) all.push_back(&measured);
+  write(file_, all);
+}
+
+void MeasuredViews::write(const std::filesystem::path& file, std::span<const MeasuredView* const> views) const {
+  Json written = Json::array();
+  for (const MeasuredView* measured : views) written.push_back(json_of(*measured));
+  geo::write_atomically(file, Json{{"settings", settings_}, {"views", std::move(written)}}.dump() + "\n");
 }
 
 std::vector<ViewResult> results_kept_in(const std::filesystem::path& file) {

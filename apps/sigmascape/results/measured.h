@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -13,7 +14,7 @@ namespace sigmascape::cli {
 struct MeasuredView {
   std::string scene;  ///< "hills", "level" or "place"
   PlannedView view;
-  std::string machine;  ///< that its times are of
+  std::vector<std::string> machines;  ///< that its times are of, each once
   std::vector<ViewResult> results;
 };
 
@@ -31,6 +32,8 @@ class MeasuredViews {
   void take_over(const std::filesystem::path& other);
   /// Writes the file, in which what was taken over is kept from then on, once nothing speaks against writing there.
   void write() const;
+  /// Writes another file, of some of these views.
+  void write(const std::filesystem::path& file, std::span<const MeasuredView* const> views) const;
 
   /// What was measured of that view with as many rays or more, or nullptr; it stays until a view is added. Of views on
   /// the grid, whose looks are baked again with the rays of their truth, with as many alone.

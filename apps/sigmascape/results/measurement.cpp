@@ -16,6 +16,7 @@
 #include "sigmascape/base/machine_name.h"
 #include "sigmascape/base/processor_stopwatch.h"
 #include "sigmascape/base/units.h"
+#include "sigmascape/radar/rectangle_parts.h"
 #include "sigmascape/scene/scene_file.h"
 #include "sigmascape/simulate/coherent.h"
 #include "sigmascape/simulate/placement.h"
@@ -47,23 +48,25 @@ scene::Scene scene_of(const ResultsPlan& plan) {
   scene::Scene scene = scene::read_scene(plan.scene_file);
   warn_of_scene(scene);
   const radar::Rectangle& all = scene.extent;
+  constexpr double rounding_m = 1e-6;
   const double half_m = plan.side_m() / 2.0, most_m = std::min(all.width_m(), all.height_m());
-  if (plan.side_m() > most_m) {
+  if (plan.side_m() > most_m + rounding_m) {
     throw Error("--scale",
                 fmt::format("{:g} asks for {:g} m, and the scene is {:g} m wide", plan.scale, plan.side_m(), most_m),
                 fmt::format("give one of at most {:g}", plan.scale * most_m / plan.side_m()));
   }
   const Vec2d centre = all.centre() + plan.around_m;
   const radar::Rectangle part{centre.x - half_m, centre.y - half_m, centre.x + half_m, centre.y + half_m};
-  if (part.west_m < all.west_m || part.south_m < all.south_m || part.east_m > all.east_m ||
-      part.north_m > all.north_m) {
+  const radar::Rectangle within = radar::widened(all, rounding_m);
+  if (part.west_m < within.west_m || part.south_m < within.south_m || part.east_m > within.east_m ||
+      part.north_m > within.north_m) {
     throw Error(
         "--around",
         fmt::format("{:g} m around ({:g}, {:g}) m reach beyond the scene", half_m, plan.around_m.x, plan.around_m.y),
         fmt::format("choose a place within {:g} m east or west and {:g} m north or south of the scene's middle",
                     all.width_m() / 2.0 - half_m, all.height_m() / 2.0 - half_m));
   }
-  scene.extent = part;
+  scene.extent = radar::common_part(part, all);
   return scene;
 }
 
@@ -257,11 +260,16 @@ void Measurement::compare_all() {
   for (const auto& [measured, view] : all) {
     const MeasuredView* kept = kept_.find(measured->name, view);
     results_.insert(results_.end(), kept->results.begin(), kept->results.end());
-    machines_.insert(kept->machine);
+    machines_.insert(kept->machines.begin(), kept->machines.end());
+    told_.push_back(kept);
   }
   std::ranges::stable_sort(results_, {}, [](const ViewResult& result) {
     return std::tuple(result.of.scene, static_cast<int>(result.of.kind), static_cast<int>(result.of.method));
   });
+}
+
+void Measurement::write_told(const std::filesystem::path& file) const {
+  kept_.write(file, told_);
 }
 
 std::string Measurement::machines() const {
@@ -276,7 +284,7 @@ void Measurement::compare_once(const MeasuredScene& measured, PlannedView view) 
   if (view.kind != ViewKind::OnGrid)
     view.traced_samples = std::max(view.traced_samples, samples_kept(measured, view, plan_, folder_ / "truth"));
   compare(measured, view);
-  kept_.add({measured.name, view, machine_name(), std::exchange(results_, {})});
+  kept_.add({measured.name, view, {machine_name()}, std::exchange(results_, {})});
 }
 
 /// Of views that another folder has measured truths are not there. Rows of ways that came since would be of fewer views
@@ -319,7 +327,7 @@ void Measurement::compare_what_lacks(const MeasuredScene& measured, MeasuredView
   const Truth truth = traced_truth(measured, kept.view, plan_, folder_ / "truth");
   for (const ReadyMethod* method : lacking) hold_against(truth, measured, kept.view, *method);
   std::ranges::move(std::exchange(results_, {}), std::back_inserter(kept.results));
-  if (kept.machine != machine_name()) kept.machine += " and " + machine_name();
+  if (std::ranges::find(kept.machines, machine_name()) == kept.machines.end()) kept.machines.push_back(machine_name());
   kept_.add(std::move(kept));
 }
 

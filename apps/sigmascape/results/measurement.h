@@ -49,6 +49,8 @@ class Measurement {
   /// Every view is kept in `kept_file` once it is done.
   void compare_all();
   [[nodiscard]] std::filesystem::path kept_file() const { return folder_ / "measured.json"; }
+  /// Writes a file like that one of the views alone that results() are of: others may be kept of other plans.
+  void write_told(const std::filesystem::path& file) const;
 
   [[nodiscard]] const std::vector<ViewResult>& results() const { return results_; }
   /// Those that times were taken on, in a row.
@@ -123,6 +125,7 @@ class Measurement {
   std::vector<ReadyMethod> methods_;
   std::vector<ViewResult> results_;
   std::set<std::string> machines_;
+  std::vector<const MeasuredView*> told_;
 };
 
 }  // namespace sigmascape::cli

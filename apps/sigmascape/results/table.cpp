@@ -251,6 +251,10 @@ std::string TracedRays::text() const {
   return fewest == most ? fmt::format("{}", fewest) : fmt::format("{} to {}", fewest, most);
 }
 
+std::string TracedRays::with_fewest() const {
+  return fewest == most ? "" : fmt::format(" with {}", fewest);
+}
+
 double agreement(const ViewResult& view) {
   const CellComparison* floor = view.noise_floor.at_cell(summary_cell_m);
   return floor != nullptr ? floor->correlation_db : not_defined;

@@ -111,6 +111,8 @@ struct TracedRays {
   std::uint32_t fewest = 0, most = 0;
 
   [[nodiscard]] std::string text() const;  ///< "1024", "1024 to 6144"
+  /// For times, which are of the fewest: " with 1024" where others have more.
+  [[nodiscard]] std::string with_fewest() const;
 };
 
 struct ResultsRow {

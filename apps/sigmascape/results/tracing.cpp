@@ -155,8 +155,8 @@ std::string tracing_section(const ResultsPlan& plan, const std::vector<ResultsRo
       "| map | looks | rays a cell, a texel | {} | one map [s] |\n|---|---|---:|{}|---:|\n",
       traced.front()->views, summary_cell_m, metric_heads, metric_rules);
   const ResultsRow& any = *traced.front();
-  text += fmt::format("| *truth* | | {} | {} | {} |\n", any.rays.text(), floor_text(any, *summary_cell(&any)),
-                      two_digits(any.trace_seconds));
+  text += fmt::format("| *truth* | | {} | {} | {}{} |\n", any.rays.text(), floor_text(any, *summary_cell(&any)),
+                      two_digits(any.trace_seconds), any.rays.with_fewest());
   for (const ResultsRow* row : traced) text += line_of(*row, "", fmt::format("{}", row->of.baked_samples));
   const auto all_baked = baked(plan, rows);
   for (const ResultsRow* row : all_baked) text += line_of(*row, row->of.grid, rays_text(row->of.baked_samples));

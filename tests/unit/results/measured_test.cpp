@@ -40,7 +40,7 @@ ViewResult made_result(const ResultsPlan& plan, const PlannedView& view, Method 
 MeasuredView made_view(const ResultsPlan& plan, const PlannedView& view) {
   return {.scene = plan.scene_name(),
           .view = view,
-          .machine = "a machine",
+          .machines = {"a machine"},
           .results = {made_result(plan, view, Method::Paper), made_result(plan, view, Method::OwnGround)}};
 }
 
@@ -77,7 +77,7 @@ TEST_F(MeasuredViewsTest, KeepAllThatAPageIsMadeOf) {
   for (const PlannedView& view : plan_.views) {
     const MeasuredView* found = again.find(plan_.scene_name(), view);
     ASSERT_NE(found, nullptr) << view.description();
-    EXPECT_EQ(found->machine, "a machine");
+    EXPECT_EQ(found->machines, std::vector<std::string>{"a machine"});
     EXPECT_EQ(found->results.front().by_level.front().from_db, -infinite);
     EXPECT_EQ(found->results.front().by_level.back().to_db, infinite);
     read.insert(read.end(), found->results.begin(), found->results.end());
@@ -106,6 +106,10 @@ TEST_F(MeasuredViewsTest, AnotherRunsAreTakenOverAndKept) {
   again.go_on();
   EXPECT_NE(again.find(plan_.scene_name(), plan_.views.front()), nullptr);
   EXPECT_NE(again.find(plan_.scene_name(), plan_.views.back()), nullptr);
+  // Beside a page lie its own alone.
+  const MeasuredView* const told = again.find(plan_.scene_name(), plan_.views.back());
+  again.write(folder_.path("told.json"), std::vector<const MeasuredView*>{told});
+  EXPECT_EQ(results_kept_in(folder_.path("told.json")).size(), told->results.size());
 }
 
 TEST_F(MeasuredViewsTest, AViewIsMeasuredAnewWithMoreRaysWhileOthersStay) {

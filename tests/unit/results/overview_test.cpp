@@ -48,7 +48,7 @@ class ResultsNeighbours : public testing::Test {
     ViewResult result;
     result.of = made_case(plan_, Method::Paper, view.kind);
     result.view = view;
-    kept.add({.scene = plan_.scene_name(), .view = view, .machine = "a machine", .results = {result}});
+    kept.add({.scene = plan_.scene_name(), .view = view, .machines = {"a machine"}, .results = {result}});
   }
 
   ScratchFolder folder_;

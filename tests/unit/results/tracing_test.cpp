@@ -89,7 +89,7 @@ TEST(ResultsTracing, HasTheTruthBesideTheErrors) {
   traced.trace_seconds = 81.2;
   const std::string text = tracing_section(plan, {traced});
   EXPECT_THAT(text, HasSubstr("| *truth* | | 1024 to 6144 | 0.900 (0.900) | 2.00 (2.00) |"));
-  EXPECT_THAT(text, HasSubstr("| 81 |\n"));
+  EXPECT_THAT(text, HasSubstr("| 81 with 1024 |\n"));
 }
 
 // Views that were measured before maps of so few rays were have none.
