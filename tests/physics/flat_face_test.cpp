@@ -1,12 +1,17 @@
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <utility>
+#include <vector>
 
 #include "validation/validation_record.h"
 
 #include "sigmascape/base/hash.h"
 #include "sigmascape/base/units.h"
 #include "sigmascape/scatter/cook_torrance.h"
+#include "sigmascape/scene/facet_area.h"
 
 namespace sigmascape::scatter {
 namespace {
@@ -117,6 +122,57 @@ TEST(FlatFace, SmallOnesPassOnWhatTheyMeet) {
   EXPECT_FLOAT_EQ(passed.reverse_pdf, reference.reverse_pdf);
   EXPECT_FLOAT_EQ(small.sample(to_source, face, {0.3F, 0.6F}).pdf,
                   wide.sample(to_source, plate_normal, {0.3F, 0.6F}).pdf);
+}
+
+/// An octahedron whose triangles were halved along all edges so many times, blown up to a sphere.
+scene::Mesh sphere_mesh(float radius_m, int halvings) {
+  scene::Mesh mesh;
+  mesh.vertices = {{1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
+  mesh.triangles = {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}, {1, 0, 5}, {2, 1, 5}, {3, 2, 5}, {0, 3, 5}};
+  for (int halving = 0; halving < halvings; ++halving) {
+    std::vector<std::array<std::uint32_t, 3>> finer;
+    for (const auto& [a, b, c] : std::exchange(mesh.triangles, {})) {
+      const auto between = [&mesh](std::uint32_t i, std::uint32_t j) {
+        mesh.vertices.push_back(normalized(mesh.vertices[i] + mesh.vertices[j]));
+        return static_cast<std::uint32_t>(mesh.vertices.size() - 1);
+      };
+      const std::uint32_t ab = between(a, b), bc = between(b, c), ca = between(c, a);
+      for (const auto& part : {std::array{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}}) finer.push_back(part);
+    }
+    mesh.triangles = std::move(finer);
+  }
+  for (Vec3f& vertex : mesh.vertices) vertex = vertex * radius_m;
+  return mesh;
+}
+
+// 131 072 triangles of a sphere are a fifth of a wavelength wide: they diffract as the skin that they are, not as
+// plates.
+TEST(CurvedSkin, ReturnsAsMuchHoweverFinelyItIsCut) {
+  constexpr double radius_m = 2.5, alpha = 0.1, wavelength_m = 0.23;
+  const CookTorrance surface({{1.0, 0.0, 1e9, 0.0}, alpha}, speed_of_light_mps / wavelength_m);
+  const Vec3f to_radar = normalized(Vec3f{0.3F, 0.2F, 0.8F});
+  for (const int halvings : {4, 7}) {
+    const scene::Mesh mesh = sphere_mesh(static_cast<float>(radius_m), halvings);
+    const std::vector<float> areas_m2 = scene::facet_areas_m2(mesh);
+    double sum_m2 = 0.0;
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+      const auto [a, b, c] = mesh.triangles[t];
+      const Vec3f doubled = cross(mesh.vertices[b] - mesh.vertices[a], mesh.vertices[c] - mesh.vertices[a]);
+      const Vec3f normal = normalized(doubled);
+      const float cosine = dot(normal, to_radar);
+      if (cosine <= 0.0F) continue;
+      const float brdf = surface.backscatter(to_radar, {normal, 1.0F / areas_m2[t]}).vv;
+      sum_m2 += 2.0 * pi * static_cast<double>(brdf * cosine * cosine * length(doubled));
+    }
+    validation::expect_close(
+        {.group = "Flat faces",
+         .name = fmt::format("rough sphere of {} triangles over πa², 23 cm", mesh.triangles.size()),
+         .expected = 1.0 + alpha * alpha / 2.0 - std::pow(alpha, 4) / 4.0,
+         .measured = sum_m2 / (pi * radius_m * radius_m),
+         .tolerance = 0.02,
+         .unit = "",
+         .source = "geometric optics, ∫ √(1 + α² x) e^(−x) dx"});
+  }
 }
 
 // The diffuse part of a façade adds to the lobe as power, whatever the phases of single draws.

@@ -36,9 +36,19 @@ Vec3f doubled_area(const std::vector<Vec3f>& vertices, const std::array<std::uin
   return cross(vertices[triangle[1]] - a, vertices[triangle[2]] - a);
 }
 
-bool are_parallel(Vec3f a, Vec3f b) {
-  const float product = dot(a, b);
-  return product * product > 0.99999F * dot(a, a) * dot(b, b);
+/// A triangle at one of its edges.
+struct AtEdge {
+  std::uint32_t triangle;
+  bool goes_up;  ///< along it, by the words of its ends
+};
+
+/// Whether a surface goes on across an edge, by twice the areas of its triangles: flat, whichever way these are wound,
+/// or with a gentle bend. Seen from one side, neighbours go along their edge in opposite ways.
+bool goes_on(Vec3f a, Vec3f b, bool same_way) {
+  constexpr float flat2 = 0.99999F, gentle2 = 0.88302F;  // cos² of 0.18° and of 20°
+  const float product = dot(a, b), lengths2 = dot(a, a) * dot(b, b);
+  return product * product > flat2 * lengths2 ||
+         ((product > 0.0F) != same_way && product * product > gentle2 * lengths2);
 }
 
 }  // namespace
@@ -55,7 +65,7 @@ std::vector<float> facet_areas_m2(const Mesh& mesh, const std::vector<Vec3f>& ve
   DisjointGroups faces(count);
   // Meshes that are to be seen from both sides hold each triangle twice: it is one face of one area.
   std::unordered_map<std::uint64_t, std::uint32_t> first_between;
-  std::unordered_multimap<std::uint64_t, std::uint32_t> at_edge;
+  std::unordered_multimap<std::uint64_t, AtEdge> at_edge;
   first_between.reserve(count);
   at_edge.reserve(std::size_t{3} * count);
   for (std::uint32_t t = 0; t < count; ++t) {
@@ -67,13 +77,14 @@ std::vector<float> facet_areas_m2(const Mesh& mesh, const std::vector<Vec3f>& ve
       continue;
     }
     for (std::size_t i = 0; i < 3; ++i) {
-      const std::uint64_t edge = edge_between(corner[i], corner[(i + 1) % 3]);
+      const std::uint64_t from = corner[i], to = corner[(i + 1) % 3], edge = edge_between(from, to);
+      const AtEdge here{t, from < to};
       const auto [first, last] = at_edge.equal_range(edge);
-      for (auto neighbour = first; neighbour != last; ++neighbour) {
-        // Triangles that share an edge and a normal share a plane.
-        if (are_parallel(doubled[t], doubled[neighbour->second])) faces.join(t, neighbour->second);
+      for (auto found = first; found != last; ++found) {
+        const AtEdge& there = found->second;
+        if (goes_on(doubled[t], doubled[there.triangle], here.goes_up == there.goes_up)) faces.join(t, there.triangle);
       }
-      at_edge.emplace(edge, t);
+      at_edge.emplace(edge, here);
     }
   }
   std::vector<float> face_area(count, 0.0F);

@@ -10,7 +10,7 @@ namespace sigmascape::trace {
 
 /// What is to be known of a face that a ray has met.
 struct FaceTraits {
-  float inverse_area_per_m2 = 0.0F;  ///< of the whole flat face, as scene::facet_areas_m2 finds it; 0 of one without
+  float inverse_area_per_m2 = 0.0F;  ///< of the whole face, as scene::facet_areas_m2 finds it; 0 of one without
   scene::MaterialIndex material = 0;
   bool is_building = false;  ///< whether it belongs to one of Scene::buildings
 };
@@ -18,7 +18,7 @@ struct FaceTraits {
 /// A mesh in pieces of four corners.
 ///
 /// A quad is the triangles (0, 1, 3) and (2, 3, 1) of its corners. Two triangles that follow one another in the mesh,
-/// share an edge and belong to one flat face of one material make one quad, so that a leaf or a wall is one thing to be
+/// share an edge and belong to one face of one material make one quad, so that a leaf or a wall is one thing to be
 /// asked about instead of two; a triangle that is left over repeats its last corner. Neither form nor sides change.
 struct FaceQuads {
   std::vector<std::array<std::uint32_t, 4>> corners;  ///< numbers of vertices

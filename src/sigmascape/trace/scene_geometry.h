@@ -18,7 +18,7 @@ enum class Footing { Terrain, LevelPlane };
 struct SurfaceHit {
   Vec3f position;
   Vec3f normal;                            ///< unit, on the side that the ray came from
-  float inverse_facet_area_per_m2 = 0.0F;  ///< of the flat face that was hit, 0 on the ground
+  float inverse_facet_area_per_m2 = 0.0F;  ///< of the face that was hit, 0 on the ground
   scene::MaterialIndex material = 0;
   /// Of the crown within which a path was intercepted: no surface, and without a normal. Zero on surfaces.
   float extinction_per_m = 0.0F;

@@ -1,7 +1,11 @@
 #include "sigmascape/scene/facet_area.h"
 
+#include <array>
+#include <cmath>
 #include <gtest/gtest.h>
+#include <vector>
 
+#include "sigmascape/base/units.h"
 #include "sigmascape/scene/solid_mesh.h"
 
 namespace sigmascape::scene {
@@ -37,6 +41,34 @@ TEST(FacetArea, APanelThatIsThereTwiceIsOneFace) {
   append_facet(panel, front, 0);
   append_facet(panel, back, 0);
   for (const float area : facet_areas_m2(panel)) EXPECT_NEAR(area, 6.0F, 1e-4F);
+}
+
+/// Two walls of 3 m² that meet at a corner, bent by so much; the second wound the same way round or the other.
+std::vector<float> areas_of_bent_wall(double bend_deg, bool wound_alike = true) {
+  const double bend = radians_from_deg(bend_deg);
+  const auto east = static_cast<float>(1.0 + std::cos(bend)), north = static_cast<float>(std::sin(bend));
+  Mesh wall;
+  const std::array<Vec3f, 4> straight{{{0, 0, 0}, {1, 0, 0}, {1, 0, 3}, {0, 0, 3}}},
+      bent{{{1, 0, 0}, {east, north, 0}, {east, north, 3}, {1, 0, 3}}},
+      turned{{{1, 0, 0}, {1, 0, 3}, {east, north, 3}, {east, north, 0}}};
+  append_facet(wall, straight, 0);
+  append_facet(wall, wound_alike ? bent : turned, 0);
+  return facet_areas_m2(wall);
+}
+
+TEST(FacetArea, ASkinIsOneFaceAcrossGentleBends) {
+  for (const double bend_deg : {-19.0, 0.0, 10.0, 19.0}) {
+    for (const bool wound_alike : {true, false}) {
+      for (const float area : areas_of_bent_wall(bend_deg, wound_alike))
+        EXPECT_NEAR(area, 6.0F, 1e-4F) << bend_deg << "°" << (wound_alike ? "" : ", turned");
+    }
+  }
+  for (const double bend_deg : {-90.0, 21.0, 45.0, 90.0, 161.0, 179.0}) {
+    for (const bool wound_alike : {true, false}) {
+      for (const float area : areas_of_bent_wall(bend_deg, wound_alike))
+        EXPECT_NEAR(area, 3.0F, 1e-4F) << bend_deg << "°" << (wound_alike ? "" : ", turned");
+    }
+  }
 }
 
 TEST(FacetArea, FacesOfOnePlaneThatDoNotTouchStayApart) {
