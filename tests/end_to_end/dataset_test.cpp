@@ -284,20 +284,19 @@ TEST_F(Dataset, NamesADamagedIndex) {
 // Each of two bakes that share their noise does so in its own way; what comes over one surface is not shared.
 TEST_F(Dataset, RefusesOrdersOfBouncesThatSharedNoiseHides) {
   bake_into("shared_noise", 2, bake::Noise::Shared);
-  const auto said_of = [&](const char* layer) {
+  const auto said_of = [&](const char* layer, const std::string& atlases) {
     return message_of_error([&] {
       dataset::SampleMaker maker(
-          spec({.more = "bounce_atlases = [\"shared_noise\", \"shared_noise\", \"shared_noise\"]\n",
-                .atlas = "shared_noise"},
-               layer));
+          spec({.more = "bounce_atlases = [" + atlases + "]\n", .atlas = "shared_noise"}, layer));
     });
   };
-  EXPECT_NE(said_of("\"bounce3\"")
+  const std::string two = "\"shared_noise\", \"shared_noise\"", three = two + ", \"shared_noise\"";
+  EXPECT_NE(said_of("\"bounce3\"", three)
                 .find("spec.toml: dataset.layers: asks for bounce3, which bakes with --noise shared do "
                       "not tell"),
             std::string::npos)
-      << said_of("\"bounce3\"");
-  EXPECT_NE(said_of("\"bounce2\"").find("does not hold the echoes over 1 surface and no more"), std::string::npos);
+      << said_of("\"bounce3\"", three);
+  EXPECT_NE(said_of("\"bounce2\"", two).find("does not hold the echoes over 1 surface and no more"), std::string::npos);
 }
 
 TEST_F(Dataset, TargetsThatNoWrittenPolarizationShowsAreNotSeen) {
