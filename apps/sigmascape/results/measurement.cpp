@@ -6,6 +6,7 @@
 #include <fmt/ranges.h>
 #include <iterator>
 #include <limits>
+#include <set>
 #include <tuple>
 
 #include "map_files.h"
@@ -260,7 +261,6 @@ void Measurement::compare_all() {
   for (const auto& [measured, view] : all) {
     const MeasuredView* kept = kept_.find(measured->name, view);
     results_.insert(results_.end(), kept->results.begin(), kept->results.end());
-    machines_.insert(kept->machines.begin(), kept->machines.end());
     told_.push_back(kept);
   }
   std::ranges::stable_sort(results_, {}, [](const ViewResult& result) {
@@ -273,7 +273,9 @@ void Measurement::write_told(const std::filesystem::path& file) const {
 }
 
 std::string Measurement::machines() const {
-  return fmt::format("{}", fmt::join(machines_, " and "));
+  std::set<std::string> names;
+  for (const MeasuredView* view : told_) names.insert(view->machines.begin(), view->machines.end());
+  return fmt::format("{}", fmt::join(names, " and "));
 }
 
 void Measurement::compare_once(const MeasuredScene& measured, PlannedView view) {

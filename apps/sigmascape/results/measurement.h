@@ -2,7 +2,6 @@
 
 #include <functional>
 #include <optional>
-#include <set>
 #include <string>
 
 #include "results/bake.h"
@@ -124,8 +123,7 @@ class Measurement {
   std::shared_ptr<const render::PaperTextures> paper_textures_;
   std::vector<ReadyMethod> methods_;
   std::vector<ViewResult> results_;
-  std::set<std::string> machines_;
-  std::vector<const MeasuredView*> told_;
+  std::vector<const MeasuredView*> told_;  ///< of `kept_`, to which nothing is added once all is compared
 };
 
 }  // namespace sigmascape::cli

@@ -194,8 +194,7 @@ SampleMaker::SampleMaker(const DatasetSpec& spec)
     const auto store = opened_store(spec_, *spec_.atlas, "atlas", scene_hash_);
     atlas_ = opened_atlas(store);
     atlas_hashes_.push_back(description_hash(store));
-    std::size_t bounces = 0;
-    for (const std::string& name : spec_.bounce_layers) bounces = std::max(bounces, bounces_to_know(name));
+    const std::size_t bounces = spec_.bounce_atlases.size();
     check_tells_orders(spec_, bounces, store.description());
     for (std::size_t most = 1; most <= bounces; ++most) {
       const auto fewer = opened_bounces(spec_, most, scene_hash_, store.description());

@@ -116,19 +116,24 @@ std::string advice_for_longer(const Radar& radar, double width_m, double interva
   return fmt::format("give mode.along_resolution_m of at most {:g}", rounded_down(width_m / more, digits));
 }
 
-/// The interval as pulses have it, the nearest in which every look has the same number of them.
-double in_whole_pulses_s(const Radar& radar, double width_m, double interval_s) {
+/// Each look takes a pulse, and Doppler takes two.
+void check_has_pulses(const Radar& radar, double width_m, double interval_s) {
   const double repetition_hz = radar.waveform.pulse_repetition_hz, pulses = interval_s * repetition_hz;
   const double looks = radar.processing.looks, fewest = std::max(2.0, looks);
-  if (std::round(pulses) < fewest) {
-    throw Error(
-        title_of(radar),
-        fmt::format("has {:.3g} pulse{} in an interval of {:.3g} s, at a pulse repetition frequency of {:g} Hz, and {}",
-                    pulses, pulses == 1.0 ? "" : "s", interval_s, repetition_hz,
-                    looks > 1.0 ? fmt::format("{:g} looks, each of which takes one", looks) : "Doppler takes two"),
-        advice_for_longer(radar, width_m, interval_s, fewest / pulses) + " or a higher waveform.pulse_repetition_hz");
-  }
-  return looks * std::max(1.0, std::round(pulses / looks)) / repetition_hz;
+  if (std::round(pulses) >= fewest) return;
+  throw Error(
+      title_of(radar),
+      fmt::format("has {:.3g} pulse{} in an interval of {:.3g} s, at a pulse repetition frequency of {:g} Hz, and {}",
+                  pulses, pulses == 1.0 ? "" : "s", interval_s, repetition_hz,
+                  looks > 1.0 ? fmt::format("{:g} looks, each of which takes one", looks) : "Doppler takes two"),
+      advice_for_longer(radar, width_m, interval_s, fewest / pulses) + " or a higher waveform.pulse_repetition_hz");
+}
+
+/// The interval as pulses have it, the nearest in which every look has the same number of them.
+double in_whole_pulses_s(const Radar& radar, double width_m, double interval_s) {
+  check_has_pulses(radar, width_m, interval_s);
+  const double repetition_hz = radar.waveform.pulse_repetition_hz, looks = radar.processing.looks;
+  return looks * std::max(1.0, std::round(interval_s * repetition_hz / looks)) / repetition_hz;
 }
 
 void plan_interval(const Radar& radar, const Sight& sight, CoherentPlan& plan) {
@@ -215,21 +220,6 @@ void check_band_is_known(const Radar& radar, double along_resolution_m) {
                   radar.processing.looks > 1 ? ", fewer mode.looks" : "", rounded_up(band_hz, digits)));
 }
 
-/// Each look takes a pulse of what is passed, and Doppler takes two.
-void check_strip_has_pulses(const Radar& radar, const CoherentPlan& plan) {
-  const double repetition_hz = radar.waveform.pulse_repetition_hz, pulses = plan.interval_s * repetition_hz;
-  const double fewest = std::max(2.0, static_cast<double>(plan.looks));
-  if (std::round(pulses) >= fewest) return;
-  throw Error(
-      title_of(radar),
-      fmt::format("has {:.3g} pulses of what it passes, at {:.3g} m along the flight and a pulse repetition "
-                  "frequency of {:g} Hz, and {}",
-                  pulses, plan.along_resolution_m, repetition_hz,
-                  plan.looks > 1 ? fmt::format("{} looks, each of which takes one", plan.looks) : "Doppler takes two"),
-      fmt::format("give a finer mode.along_resolution_m{} or waveform.pulse_repetition_hz of at least {:g}",
-                  plan.looks > 1 ? ", fewer mode.looks" : "", rounded_up(repetition_hz * fewest / pulses, digits)));
-}
-
 void plan_strip(const Radar& radar, const Sight& sight, CoherentPlan& plan) {
   if (!(sight.ground_range_m > 0.0) || beam_straddles_course(radar, sight))
     refuse_straight_ahead(radar, sight, "map ground farther to the side");
@@ -247,7 +237,7 @@ void plan_strip(const Radar& radar, const Sight& sight, CoherentPlan& plan) {
   const double sine = std::sin(plan.squint_rad);
   plan.interval_s = cells_of_width(radar) * wavelength_m(radar.frequency_hz) * sight.range_m /
                     (2.0 * length(radar.velocity_mps) * sine * sine * plan.along_resolution_m);
-  check_strip_has_pulses(radar, plan);
+  check_has_pulses(radar, plan.along_resolution_m, plan.interval_s);
 }
 
 /// What the pulses of the interval resolve across range, with all that the line of sight turns meanwhile and not only
@@ -291,10 +281,10 @@ void check_pulses(const Radar& radar, const CoherentPlan& plan, std::vector<std:
   if (!(std::round(pulses) < few)) return;
   warnings.push_back(
       fmt::format("each look has {:.0f} pulse{}, too few for the resolution of {:.3g} m {} and for the side lobes of "
-                  "its window; use a {}, fewer mode.looks or a higher waveform.pulse_repetition_hz",
+                  "its window; use a {} or a higher waveform.pulse_repetition_hz",
                   pulses, std::round(pulses) > 1.0 ? "s" : "", plan.along_resolution_m,
                   strips ? "along the flight" : "across range",
-                  strips ? "finer mode.along_resolution_m" : "longer mode.interval_s"));
+                  strips ? "finer mode.along_resolution_m" : "longer mode.interval_s, fewer mode.looks"));
 }
 
 /// Across the line of sight, of a strip along the flight.

@@ -60,13 +60,6 @@ PlacedAmplitude DopplerImager::placed(const radar::Motion& seen, double own_rang
           amplitude * (carrier_phase(range_m, wavelength) * voltage)};
 }
 
-/// Of ground at rest that has the Doppler to which that of a range rate folds.
-double DopplerImager::shown_range_rate_mps(double range_rate_mps) const {
-  const double a_fold_mps = 0.5 * wavelength_m(frame_.frequency_hz) * interval_.repetition_hz;
-  const double place = frame_.doppler_hz.place_of(radar::doppler_hz(range_rate_mps, wavelength_m(frame_.frequency_hz)));
-  return range_rate_mps + a_fold_mps * std::floor(place / static_cast<double>(frame_.doppler_hz.bins));
-}
-
 void DopplerImager::add(std::span<const radar::Scatterer> ground, unsigned threads) {
   std::vector<PlacedAmplitude> places(ground.size());
   constexpr std::size_t chunk = 4096;
@@ -89,12 +82,13 @@ void DopplerImager::add(std::span<const radar::Target> targets) {
         radar::mean_rcs_of(target, frame_.platform.position, frame_.frequency_hz, interval_.middle_time_s);
     const PlacedAmplitude whole = placed(motion, 0.0, radar::steady_amplitude(rcs));
     // Beside ground at the same range and at the Doppler where the target is shown, which is in focus.
-    const Vec3d relative = motion.velocity_mps - frame_.platform.velocity_mps;
     const double range_m = length(motion.position - frame_.platform.position);
-    const double rate_mps = radar::range_rate_mps(frame_.platform, motion), shown_mps = shown_range_rate_mps(rate_mps);
-    const double rate_error = -2.0 *
-                              ((dot(relative, relative) - rate_mps * rate_mps) - (speed2 - shown_mps * shown_mps)) /
-                              (range_m * wavelength);
+    const double shown_hz =
+        radar::folded_hz(radar::doppler_hz(radar::range_rate_mps(frame_.platform, motion), wavelength),
+                         frame_.doppler_hz.first, interval_.repetition_hz);
+    const double shown_mps = -0.5 * wavelength * shown_hz;
+    const double rate_error = radar::doppler_rate_hz_per_s(frame_.platform, motion, wavelength) +
+                              2.0 * (speed2 - shown_mps * shown_mps) / (range_m * wavelength);
     for (const SmearedPart& part :
          smeared(target, rate_error, {frame_.interval_s, interval_.pulses, interval_.dwell})) {
       places.push_back({whole.column + part.cells * bins_a_cell, whole.row, whole.amplitude * part.amplitude});

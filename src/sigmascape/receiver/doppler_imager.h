@@ -52,7 +52,6 @@ class DopplerImager {
  private:
   [[nodiscard]] PlacedAmplitude placed(const radar::Motion& seen, double own_range_rate_mps,
                                        const radar::ComplexChannels& amplitude) const;
-  [[nodiscard]] double shown_range_rate_mps(double range_rate_mps) const;
 
   CoherentInterval interval_;
   GatedAxis range_;

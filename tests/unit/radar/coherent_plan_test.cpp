@@ -341,18 +341,21 @@ TEST(CoherentPlan, AStripHasPulsesForItsLooks) {
     return message_of_error([&] { static_cast<void>(coherent_plan(radar, place_at(90.0))); });
   };
   radar.waveform.pulse_repetition_hz = 100.0;
-  EXPECT_THAT(refused(),
-              HasSubstr("has 2.66 pulses of what it passes, at 100 m along the flight and a pulse repetition "
-                        "frequency of 100 Hz, and 4 looks, each of which takes one; give a finer "
-                        "mode.along_resolution_m, fewer mode.looks or waveform.pulse_repetition_hz of at "
-                        "least 151"));
+  EXPECT_EQ(
+      refused(),
+      "radar: has 2.66 pulses in an interval of 0.0266 s, at a pulse repetition frequency of 100 Hz, and 4 looks, "
+      "each of which takes one; give mode.along_resolution_m of at most 66.4 or a higher "
+      "waveform.pulse_repetition_hz");
+  radar.processing.along_resolution_m = 66.4;
+  EXPECT_EQ(refused(), "");
+  radar.processing.along_resolution_m = 100.0;
   radar.waveform.pulse_repetition_hz = 151.0;
   EXPECT_EQ(refused(), "");
   const Rectangle area{9000.0, -1000.0, 11000.0, 1000.0};
   EXPECT_THAT(plan_warnings(radar, coherent_plan(radar, place_at(90.0)), area, 0.0),
               ::testing::Contains(HasSubstr("each look has 1 pulse, too few for the resolution of 100 m along the "
                                             "flight and for the side lobes of its window; use a finer "
-                                            "mode.along_resolution_m, fewer mode.looks")));
+                                            "mode.along_resolution_m or a higher waveform.pulse_repetition_hz")));
 }
 
 TEST(CoherentPlan, WarnsWhereTheLineOfSightTurnsFar) {
