@@ -39,4 +39,9 @@ namespace sigmascape::radar {
   return common.east_m >= common.west_m && common.north_m >= common.south_m;
 }
 
+/// Whether all of one lies within another, be it at its edges.
+[[nodiscard]] constexpr bool holds(const Rectangle& outer, const Rectangle& inner) {
+  return outer.contains({inner.west_m, inner.south_m}) && outer.contains({inner.east_m, inner.north_m});
+}
+
 }  // namespace sigmascape::radar

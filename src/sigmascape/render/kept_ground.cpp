@@ -15,11 +15,6 @@ constexpr std::size_t most_nodes_a_side = 2048;
 /// Of the farthest range, on every side of what the bins look at.
 constexpr double margin_part = 0.25;
 
-bool contains(const radar::Rectangle& outer, const radar::Rectangle& inner) {
-  return outer.west_m <= inner.west_m && outer.south_m <= inner.south_m && inner.east_m <= outer.east_m &&
-         inner.north_m <= outer.north_m;
-}
-
 }  // namespace
 
 KeptGround::View KeptGround::view_of(const radar::RangeAzimuthGrid& grid, Vec2d radar,
@@ -34,7 +29,7 @@ KeptGround::View KeptGround::view_of(const radar::RangeAzimuthGrid& grid, Vec2d 
 }
 
 bool KeptGround::covers(const View& view) const {
-  return window_ != nullptr && view.node_m == node_m_ && contains(covered_, view.seen);
+  return window_ != nullptr && view.node_m == node_m_ && radar::holds(covered_, view.seen);
 }
 
 bool KeptGround::covers(const radar::RangeAzimuthGrid& grid, Vec2d radar, const radar::CurvedEarth& earth) const {

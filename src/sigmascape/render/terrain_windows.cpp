@@ -36,9 +36,7 @@ double nodes_over(const radar::Rectangle& area, double spacing_m) {
 
 bool GroundWindow::covers(const radar::Rectangle& area) const {
   constexpr double rounding_m = 1e-6;
-  const radar::Rectangle extent = radar::widened(nodes.view().extent(), rounding_m);
-  return area.west_m >= extent.west_m && area.east_m <= extent.east_m && area.south_m >= extent.south_m &&
-         area.north_m <= extent.north_m;
+  return radar::holds(radar::widened(nodes.view().extent(), rounding_m), area);
 }
 
 TerrainWindows::TerrainWindows(std::shared_ptr<terrain::TerrainPyramid> pyramid, std::size_t budget_bytes)
