@@ -23,11 +23,14 @@ void find_nodes(const LatticeRow& row, const Horizon& horizon, float ahead, Node
   const auto stride = static_cast<std::int32_t>(horizon.stride);
   const auto last_left = static_cast<float>(horizon.azimuths) - 2.0F;
   const auto last_node = static_cast<float>(horizon.distances) - 1.0F;
-  const float first_beam = horizon.first_beam, per_beam = horizon.per_beam;
+  const float first_beam = horizon.first_beam, per_beam = horizon.per_beam, turn = horizon.turn;
   const float near_m = horizon.near_m, per_step = horizon.per_step;
   const std::size_t count = row.whole_vectors();
   for (std::size_t i = 0; i < count; ++i) {
-    const float across = (row.beam[i] + first_beam) * per_beam;
+    float across = (row.beam[i] + first_beam) * per_beam;
+    // Beams of a turn look over its ends.
+    across += across < 0.0F ? turn : 0.0F;
+    across -= across > turn ? turn : 0.0F;
     const auto left = static_cast<std::int32_t>(lesser(greater(across, 0.0F), last_left));
     const auto node =
         static_cast<std::int32_t>(lesser(greater((row.ground_m[i] - near_m) * per_step + ahead, 0.0F), last_node));

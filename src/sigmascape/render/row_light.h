@@ -15,6 +15,7 @@ struct Horizon {
   std::size_t stride = 0;   ///< from one azimuth to the next
   float first_beam = 0.0F;  ///< of the row's sector
   float per_beam = 1.0F;    ///< azimuths
+  float turn = 0.0F;        ///< azimuths after which they begin anew; 0 where they do not
   float near_m = 0.0F, per_step = 1.0F;
 };
 

@@ -6,6 +6,7 @@
 #include "sigmascape/atlas/tile_block.h"
 #include "sigmascape/base/units.h"
 #include "sigmascape/base/vector_targets.h"
+#include "sigmascape/radar/range_azimuth_image.h"
 #include "sigmascape/radar/rectangle_parts.h"
 #include "sigmascape/render/row_scatterers.h"
 #include "sigmascape/render/row_widths.h"
@@ -235,6 +236,7 @@ PageHeights SectorTask::heights_of(const PageRow& ground) const {
 
 Horizon SectorTask::horizon() const {
   const HorizonGrid& grid = horizon_->grid();
+  const bool goes_round = radar::goes_round(parts_.settings.beams, parts_.settings.beam_step_rad);
   return {.slopes = horizon_->slopes(0),
           .solid_slopes = horizon_->solid_slopes(0),
           .through = horizon_->through(0),
@@ -243,6 +245,7 @@ Horizon SectorTask::horizon() const {
           .stride = horizon_->stride(),
           .first_beam = static_cast<float>(first_beam_),
           .per_beam = static_cast<float>(horizon_->azimuths_a_beam(parts_.settings.beams)),
+          .turn = goes_round ? static_cast<float>(grid.azimuths - 1) : 0.0F,
           .near_m = static_cast<float>(grid.near_m),
           .per_step = static_cast<float>(1.0 / grid.step_m)};
 }

@@ -465,6 +465,40 @@ TEST_F(LiveTerrainTest, GroundEndsInTheEastWhereItsHeightsEnd) {
   EXPECT_EQ(seen_from(90.0, 1500.0, 100.0).below_ground_m, 0.0);
 }
 
+TEST_F(LiveTerrainTest, ATurnShowsTheSameWhereverItBegins) {
+  const auto ground = example_.over(*store_);
+  for (const std::size_t beams : {16U, 360U}) {
+    const std::size_t later = beams / 4, a_step = beams / 8;
+    LiveSettings settings;
+    settings.content = FrameContent::Powers;
+    settings.beams = beams;
+    settings.ranges = 40;
+    settings.beam_step_rad = 2.0 * pi / static_cast<double>(beams);
+    settings.range_step_m = 20.0;
+    Pose pose{.position = {example_.middle().x, example_.middle().y, 95.0}, .first_range_m = 100.0};
+    LiveRenderer renderer(ground, settings);
+    pose.first_azimuth_rad = 0.3 + settings.beam_step_rad * static_cast<double>(later);
+    const std::vector<float> powers = numbers_of(settled_frame(renderer, *ground, pose));
+    LiveRenderer scanning(ground, settings);
+    const Frame* swept = nullptr;
+    for (std::size_t beam = 0; beam < beams; beam += a_step) swept = &scanning.scan(pose, beam, a_step);
+    EXPECT_TRUE(numbers_of(*swept) == powers) << beams;
+
+    pose.first_azimuth_rad = 0.3;
+    const Frame& sooner = settled_frame(renderer, *ground, pose);
+    EXPECT_LT(sooner.report.lit, sooner.report.cells) << "hills hide ground";
+    const std::size_t a_beam = 4 * settings.ranges;
+    for (std::size_t beam = 0; beam < beams; ++beam) {
+      double here = 0.0, there = 0.0;
+      for (std::size_t i = 0; i < a_beam; i += 4) {
+        here += static_cast<double>(powers[beam * a_beam + i]);
+        there += static_cast<double>(sooner.powers_m2[(beam + later) % beams * a_beam + i]);
+      }
+      EXPECT_NEAR(db_from_linear(here / there), 0.0, 0.01) << beam << " of " << beams;
+    }
+  }
+}
+
 TEST_F(LiveTerrainTest, NoStepShowsOverHillsWhereTheLevelsChange) {
   const auto ground = example_.over(*store_);
   ExampleView view{.target = example_.middle()};
