@@ -11,6 +11,7 @@
 #include "sigmascape/render/crown_depth.h"
 #include "sigmascape/render/lesser_greater.h"
 #include "sigmascape/terrain/obstacle_sweep.h"
+#include "sigmascape/terrain/roof_doubt.h"
 
 namespace sigmascape::render {
 namespace {
@@ -417,14 +418,44 @@ double HorizonMap::through_beyond(std::size_t azimuth, std::size_t node, double 
   if (!(rest_m > 0.0 && strides.length_m > 0.0)) return 1.0;
   Walk walk(grid_, azimuth, radar, occluders);
   double depth = 0.0;
-  bool is_behind_solid = false;
   walk.over(occluders.terrain, occluders.obstacles, node_m + strides.length_m, strides.length_m,
             static_cast<std::size_t>(std::ceil(rest_m / strides.length_m)), [&](std::size_t number, std::size_t i) {
               const double part = std::min(rest_m / strides.length_m - static_cast<double>(number), 1.0);
               depth += part * crown_depth_on(walk.steps(), i, strides.length_m, slope);
-              is_behind_solid = is_behind_solid || (part >= 0.5 && slope < solid_slope_at(walk.steps(), i));
             });
-  return is_behind_solid ? 0.0 : std::exp(-depth);
+  return std::exp(-depth);
+}
+
+bool HorizonMap::is_behind_solid(std::size_t azimuth, double distance_m, double slope, double roof_doubt_m, Vec3d radar,
+                                 const Occluders& occluders) const {
+  const Strides within = Strides::within(grid_, occluders);
+  const double square_m = occluders.obstacles->grid().cell_m;
+  // Up to there the nodes know it.
+  const double known_m = roof_doubt_m > 0.0 ? distance_m - terrain::most_doubtful_squares * square_m : distance_m;
+  const bool is_known = roof_doubt_m == 0.0 || known_m >= grid_.near_m;
+  const std::size_t node = grid_.node_before(known_m);
+  if (is_known && slope < static_cast<double>(solid_slopes(azimuth)[node])) return true;
+
+  Walk walk(grid_, azimuth, radar, occluders);
+  bool is_hidden = false;
+  const auto pass = [&](std::size_t, std::size_t i) {
+    const double at_m = static_cast<double>(walk.steps().distance_m[i]);
+    const double left_m = terrain::doubt_left_m(roof_doubt_m, distance_m - at_m, -slope, square_m);
+    is_hidden = is_hidden || slope < solid_slope_at(walk.steps(), i) - left_m / at_m;
+  };
+  const std::size_t first = is_known ? (node + 1) * within.a_step : 0;
+  if (!is_known) {
+    const LeadSteps lead = lead_of(grid_, radar, occluders);
+    const Strides to_near = Strides::to_near(lead, occluders);
+    walk.over(ground_before(occluders), &obstacles_before(occluders), to_near.first_m, to_near.length_m,
+              lead.count * to_near.a_step, pass);
+  }
+  const double first_m = within.first_m + static_cast<double>(first) * within.length_m;
+  // Those whose middles lie before the point.
+  if (!(within.length_m > 0.0 && distance_m >= first_m)) return is_hidden;
+  walk.over(occluders.terrain, occluders.obstacles, first_m, within.length_m,
+            static_cast<std::size_t>((distance_m - first_m) / within.length_m) + 1, pass);
+  return is_hidden;
 }
 
 /// Looks for ground between the nodes that hides one point.

@@ -88,10 +88,13 @@ class HorizonMap {
   /// from where its line of sight may meet the first of them. `radar` and `occluders` as of the sweep.
   [[nodiscard]] double through_from(std::size_t azimuth, std::size_t node, double slope, Vec3d radar,
                                     const Occluders& occluders) const;
-  /// The same on the way from a node to a point so far away that lies before the next one; nothing where something
-  /// solid there rises above the line of sight.
+  /// The same on the way from a node to a point so far away that lies before the next one.
   [[nodiscard]] double through_beyond(std::size_t azimuth, std::size_t node, double distance_m, double slope,
                                       Vec3d radar, const Occluders& occluders) const;
+  /// Whether something solid rises above the line of sight under `slope` to a point so far away. `roof_doubt_m`: how
+  /// much lower the tops right before it may be than they say (terrain/roof_doubt.h).
+  [[nodiscard]] bool is_behind_solid(std::size_t azimuth, double distance_m, double slope, double roof_doubt_m,
+                                     Vec3d radar, const Occluders& occluders) const;
   /// Whether ground that no node stands on hides a point under `slope` which the nodes do not: a crest lies between
   /// them here and on one of them there. `across`: the point's azimuth in directions of the map. Goes over the ground
   /// on its own line of sight, where that comes nearer to what the nodes beside it know than the terrain may rise

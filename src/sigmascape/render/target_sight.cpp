@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sigmascape/terrain/roof_doubt.h"
+
 namespace sigmascape::render {
 namespace {
 
@@ -29,27 +31,41 @@ double part_seen_at(const TargetSight& sight, const TargetSight::Level& level,
   const double ridges = between(static_cast<double>(horizon.slopes(azimuth)[node]),
                                 static_cast<double>(horizon.slopes(azimuth + 1)[node])) -
                         slope_doubt;
-  const auto slope_on_ground = [&] {
-    const Occluders& occluders = occluders_at(azimuth);
-    const double ground_m = terrain::height_at(occluders.terrain, {target.position.x, target.position.y}) -
-                            static_cast<double>(occluders.lowered_m);
-    return slope_of(ground_m);
-  };
+  const Vec2d place{target.position.x, target.position.y};
   const auto lies_behind_crest = [&](double slope) {
     return horizon.rises_between(across, target.distance_m, slope, sight.radar, occluders_at(azimuth));
   };
-  double slope = slope_of(target.position.z);
+  double height_m = target.position.z, slope = slope_of(height_m);
   if (slope < ridges || lies_behind_crest(slope)) {
     // Hidden where it was put; but on the ground of this frame it may be seen.
-    const double on_ground = slope_on_ground();
-    if (!(on_ground > slope)) return 0.0;
-    slope = on_ground;
+    const Occluders& occluders = occluders_at(azimuth);
+    const double on_ground_m = terrain::height_at(occluders.terrain, place) - static_cast<double>(occluders.lowered_m);
+    if (!(on_ground_m > height_m)) return 0.0;
+    height_m = on_ground_m;
+    slope = slope_of(height_m);
     if (slope < ridges || lies_behind_crest(slope)) return 0.0;
   }
   if (horizon.solid_slopes(azimuth) == nullptr) return 1.0;
   const bool is_on_ground = slope <= ridges + 2.0 * slope_doubt;
+  const auto is_hidden = [&](std::size_t at, double roof_doubt_m) {
+    return horizon.is_behind_solid(at, target.distance_m, slope + slope_doubt, roof_doubt_m, sight.radar,
+                                   occluders_at(at));
+  };
+  const auto roof_doubt_m = [&](std::size_t at) {
+    const Occluders& occluders = occluders_at(at);
+    const double above_m = height_m - terrain::height_at(occluders.terrain, place);
+    const Vec2d rise = terrain::slope_at(occluders.terrain, place);
+    const auto top_m = [&](Vec2d there) {
+      return static_cast<double>(occluders.obstacles->at(there).unpacked().solid_top_m);
+    };
+    return terrain::doubt_about_roof_m(place, above_m, {-rise.x, -rise.y, 1.0}, occluders.obstacles->grid().cell_m,
+                                       top_m, static_cast<double>(occluders.lowered_m));
+  };
   const auto through = [&](std::size_t at) {
-    if (slope + slope_doubt < static_cast<double>(horizon.solid_slopes(at)[node])) return 0.0;
+    if (is_hidden(at, 0.0)) {
+      const double doubt_m = roof_doubt_m(at);
+      if (!(doubt_m > 0.0) || is_hidden(at, doubt_m)) return 0.0;
+    }
     const Occluders& occluders = occluders_at(at);
     const double to_node = is_on_ground ? static_cast<double>(horizon.through(at)[node])
                                         : horizon.through_from(at, node, slope, sight.radar, occluders);

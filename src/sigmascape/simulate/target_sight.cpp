@@ -11,26 +11,6 @@
 #include "sigmascape/trace/crown_crossings.h"
 
 namespace sigmascape::simulate {
-namespace {
-
-/// What stands on a roof is known to be above the squares of its house no better than to this; 0 where it stands on
-/// none. The roof may be that of a square beside its own: one that is covered by less than half has none.
-double doubt_about_roof_m(const Surroundings& surroundings, Vec2d place, double above_m) {
-  const double square_m = surroundings.obstacles->grid.cell_m;
-  const double doubt_m =
-      terrain::roof_tolerance_m + square_m * terrain::rise_across(surroundings.terrain.normal_at(place));
-  for (const double north : {-1.0, 0.0, 1.0}) {
-    for (const double east : {-1.0, 0.0, 1.0}) {
-      const auto top_m =
-          static_cast<double>(surroundings.obstacles->at(place + Vec2d{east, north} * square_m).solid_top_m);
-      if (top_m > 0.0 && std::abs(above_m - top_m) <= doubt_m) return doubt_m;
-    }
-  }
-  return 0.0;
-}
-
-}  // namespace
-
 double highest_m_of(const terrain::HeightField& terrain, const radar::ObstacleMap* obstacles) {
   float tallest_m = 0.0F;
   if (obstacles != nullptr) {
@@ -66,7 +46,9 @@ double part_seen(const Surroundings& surroundings, Vec3d radar_position, Vec3d p
     // Of its own square what lies between the point and the first step.
     const radar::Obstacle own = obstacles->at(place);
     const double above_m = point.z - terrain.height_at(place);
-    doubt_m = doubt_about_roof_m(surroundings, place, above_m);
+    doubt_m = terrain::doubt_about_roof_m(
+        place, above_m, terrain.normal_at(place), obstacles->grid.cell_m,
+        [obstacles = obstacles](Vec2d there) { return static_cast<double>(obstacles->at(there).solid_top_m); });
     if (above_m < static_cast<double>(own.solid_top_m) - doubt_m) return 0.0;
     depth += depth_within(own, above_m + 0.25 * step_m * rise, 0.5 * step_m);
   }
@@ -82,10 +64,7 @@ double part_seen(const Surroundings& surroundings, Vec3d radar_position, Vec3d p
     if (above_m < 0.0) return 0.0;
     if (obstacles == nullptr) continue;
     const radar::Obstacle obstacle = obstacles->at(under);
-    // What the line has climbed no doubt about the roof takes from it.
-    const double left_m = d < terrain::most_doubtful_squares * obstacles->grid.cell_m
-                              ? std::max(0.0, doubt_m - d * std::max(0.0, rise))
-                              : 0.0;
+    const double left_m = terrain::doubt_left_m(doubt_m, d, rise, obstacles->grid.cell_m);
     if (above_m < static_cast<double>(obstacle.solid_top_m) - left_m) return 0.0;
     depth += depth_within(obstacle, above_m, step_m);
   }

@@ -206,7 +206,7 @@ TEST_F(LeadTest, WhatStandsBetweenANodeAndAPointHidesIt) {
     map.sweep(azimuth, radar, occluders);
     const auto node = static_cast<std::size_t>((distance_m - first_m) / coarse.step_m);
     const double slope = (height_m - radar.z) / distance_m;
-    if (slope < static_cast<double>(map.solid_slopes(azimuth)[node])) return 0.0;
+    if (map.is_behind_solid(azimuth, distance_m, slope, 0.0, radar, occluders)) return 0.0;
     return map.through_from(azimuth, node, slope, radar, occluders) *
            map.through_beyond(azimuth, node, distance_m, slope, radar, occluders);
   };

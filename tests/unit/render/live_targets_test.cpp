@@ -210,6 +210,32 @@ TEST_F(LiveTargetsTest, CrownsDimThemByTheWayThatTheirOwnLineGoesThroughThem) {
   }
 }
 
+/// Squares over a slope are as high above all of it as the roof is above their lowest ground.
+TEST_F(LiveTargetsTest, AreSeenOnARoofOverSlopingGround) {
+  const ScratchFolder folder;
+  const double slope = std::tan(radians_from_deg(10.0)), roof_m = 9.37, half_side_m = 16.0;
+  ExampleGround hillside = level_ground();
+  hillside.bare_sigma0 = hillside.sigma0;
+  hillside.height_m = [slope](Vec2d p) { return slope * p.x; };
+  hillside.obstacle = [&](Vec2d square) {
+    if (std::max(std::abs(square.x), std::abs(square.y)) > half_side_m) return radar::Obstacle{};
+    const double lowest_m = slope * (square.x - 0.5 * hillside.texel_m);
+    return radar::Obstacle{.solid_top_m = static_cast<float>(roof_m - lowest_m)};
+  };
+  const auto ground = hillside.over(hillside.store(folder.path("atlas")));
+  for (const double azimuth_deg : {0.0, 90.0, 270.0}) {
+    ExampleView view{.elevation_deg = 12.0};
+    view.azimuth_deg = azimuth_deg;
+    view.bin_m = 8.0;
+    for (const double across_m : {-14.0, 0.0, 9.0}) {
+      const Vec2d place = view.target + Vec2d{across_m, 0.3 * across_m};
+      EXPECT_NEAR(added_by({standing(place, roof_m + 0.05)}, ground, view).power_m2, 10.0, 0.1)
+          << azimuth_deg << " " << across_m;
+      EXPECT_EQ(added_by({standing(place, roof_m - 4.0)}, ground, view).seen, 0U) << azimuth_deg << " " << across_m;
+    }
+  }
+}
+
 TEST_F(LiveTargetsTest, AreSeenStraightBelowTheRadar) {
   const auto ground = level_ground().over(*store_);
   LiveRenderer renderer(ground, {.beams = 64, .ranges = 64, .beam_step_rad = 2.0 * pi / 64.0, .range_step_m = 8.0});
