@@ -42,8 +42,8 @@ class LiveFlight {
              std::shared_ptr<render::LiveGround> ground, const render::LiveSettings& settings,
              const LiveFlightSettings& flight = {});
 
-  /// All beams, valid until the next call. Throws Error for a pose that is nowhere, and where it is traced for a bin
-  /// that is too bright for its sums.
+  /// All beams, valid until the next call. Throws Error for a pose that is nowhere, where it is traced for a bin that
+  /// is too bright for its sums, and where it is shown from textures as LiveRenderer does.
   const render::Frame& render(const render::Pose& pose);
   /// Beams first … first + count − 1 anew, the others as they were: one step of a scanning antenna, by LiveTracer::scan
   /// and LiveRenderer::scan. Each step goes on with a change between levels as a frame does, so that it passes over the

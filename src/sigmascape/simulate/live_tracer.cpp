@@ -219,6 +219,7 @@ LiveTracer::Look LiveTracer::look_from(Vec3d radar, const render::Pose& pose) co
   Look look{.radar = radar,
             .near_m = near_m,
             .far_m = far_m,
+            .sharing = render::sharing_reach(settings_, from, lowest_m_, highest_m_, highest_m_, straight),
             .halfway_up = render::frame_reach(settings_, from, middle_m, middle_m, straight),
             .ground = {}};
   look.ground = ground_under(look, pose, {0, settings_.beams}, half_a_beam);
@@ -228,12 +229,12 @@ LiveTracer::Look LiveTracer::look_from(Vec3d radar, const render::Pose& pose) co
 radar::Rectangle LiveTracer::ground_under(const Look& look, const render::Pose& pose, Beams beams,
                                           double rim_beams) const {
   const auto first = static_cast<double>(beams.first), count = static_cast<double>(beams.count);
-  // Echoes are shared with bins half a bin away.
-  const double rim_m = settings_.range_step_m;
+  // The Earth is flat here, with the radar where that is right in the middle.
+  const double rim_m = 0.5 * settings_.range_step_m;
   const radar::Rectangle under_bins = render::ground_under(
       {look.radar.x, look.radar.y}, pose.first_azimuth_rad + (first - rim_beams) * settings_.beam_step_rad,
       std::min((count + 2.0 * rim_beams) * settings_.beam_step_rad, 2.0 * pi),
-      {std::max(look.near_m - rim_m, 0.0), look.far_m + rim_m});
+      {std::max(look.sharing.near_m - rim_m, 0.0), look.sharing.far_m + rim_m});
   return radar::common_part(under_bins, scene_.extent);
 }
 

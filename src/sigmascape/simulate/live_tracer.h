@@ -101,6 +101,7 @@ class LiveTracer {
   struct Look {
     Vec3d radar;  ///< from where lines of sight are straight
     double near_m = 0.0, far_m = 0.0;
+    render::FrameReach sharing;     ///< where ground lies that has a share in the bins
     render::FrameReach halfway_up;  ///< where bins lie on ground of one height, between the lowest and the highest
     radar::Rectangle ground;        ///< of the scene, under all beams; nothing when its east lies west
   };

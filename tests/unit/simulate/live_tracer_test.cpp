@@ -530,6 +530,33 @@ TEST_F(LiveTracerTest, AllRoundThereIsNoSeam) {
   }
 }
 
+/// Half a bin of slant range is 90 m of ground here: 87° below the horizon.
+TEST(LiveTracerOverLevelGround, ABinHasItsPowerBeItTheFirstTheLastOrBetween) {
+  const auto scene = physics_test::level_scene(lambert("ground", 0.1), 1200.0);
+  const trace::SceneGeometry geometry(scene, trace::Footing::Terrain);
+  constexpr double bin_m = 6.0, first_m = 10'003.0;
+  // Of the bin that begins at `first_m`, in a frame of others before and beyond it.
+  const auto power_with = [&](int before, int beyond) {
+    const render::LiveSettings settings{.content = FrameContent::Powers,
+                                        .beams = 10,
+                                        .ranges = static_cast<std::size_t>(before + 1 + beyond),
+                                        .beam_step_rad = 0.02,
+                                        .range_step_m = bin_m,
+                                        .threads = 2,
+                                        .refraction = 1e9};
+    LiveTracer tracer(scene, geometry, settings, {.rays_per_cell = 8, .max_bounces = 1, .lattice_m = 4.0});
+    const render::Frame& frame =
+        tracer.render({.position = {0.0, 0.0, 10e3}, .first_range_m = first_m - bin_m * static_cast<double>(before)});
+    double sum = 0.0;
+    for (std::size_t beam = 2; beam + 2 < settings.beams; ++beam)
+      sum += sum_of_bin(frame.powers_m2, beam * settings.ranges + static_cast<std::size_t>(before));
+    return sum;
+  };
+  const double between = power_with(1, 1);
+  EXPECT_NEAR(power_with(0, 1) / between, 1.0, 0.01) << "first";
+  EXPECT_NEAR(power_with(1, 0) / between, 1.0, 0.01) << "last";
+}
+
 TEST_F(LiveTracerTest, ASmallAreaIsChosenToBeTracedAndAWideOneIsNot) {
   const LiveTracer live = tracer(FrameContent::Powers);
   const render::DetailQuestion question = live.question(bins_.pose());
