@@ -19,7 +19,8 @@ namespace {
 
 /// The places along one line, outwards, and what the radar sees between which ranges: tells which of them something
 /// else lies over. Of two places at one range, both below the radar, the farther one is the higher, so that each thing
-/// lies over the places at its range that are nearer than itself.
+/// lies over the places at its range that are nearer than itself. What stands above the radar is higher than all of
+/// them.
 class LayoverAlongLine {
  public:
   /// The next place outwards, where the ground lies at that slant range.
@@ -39,19 +40,24 @@ class LayoverAlongLine {
     seen_.push_back({ranges_m_.size() - 1, first_range_m, last_range_m});
   }
 
+  /// The same of something above the radar.
+  void add_seen_overhead(double first_range_m, double last_range_m) {
+    seen_.push_back({beyond_all, first_range_m, last_range_m});
+  }
+
   /// For each place whether something that is seen lies over it.
   [[nodiscard]] std::vector<bool> lain_over() const {
     std::vector<std::size_t> by_range(ranges_m_.size());
     std::iota(by_range.begin(), by_range.end(), std::size_t{0});
     const auto range_of = [&](std::size_t place) { return ranges_m_[place]; };
     std::ranges::sort(by_range, {}, range_of);
-    // What is seen comes from near to far, so that the last to be noted at a range is the farthest there.
     std::vector<std::size_t> farthest_there(by_range.size(), 0);
     for (const Seen& seen : seen_) {
       const auto first = std::ranges::lower_bound(by_range, seen.first_range_m, {}, range_of);
       const auto last = std::ranges::upper_bound(by_range, seen.last_range_m, {}, range_of);
-      std::fill(farthest_there.begin() + (first - by_range.begin()), farthest_there.begin() + (last - by_range.begin()),
-                seen.place);
+      std::for_each(farthest_there.begin() + (first - by_range.begin()),
+                    farthest_there.begin() + (last - by_range.begin()),
+                    [&](std::size_t& place) { place = std::max(place, seen.place); });
     }
     std::vector<bool> is_lain_over(by_range.size());
     for (std::size_t i = 0; i < by_range.size(); ++i) is_lain_over[by_range[i]] = farthest_there[i] > by_range[i];
@@ -59,6 +65,7 @@ class LayoverAlongLine {
   }
 
  private:
+  static constexpr std::size_t beyond_all = std::numeric_limits<std::size_t>::max();
   struct Seen {
     std::size_t place;  // lies over what is nearer than this
     double first_range_m, last_range_m;
@@ -131,7 +138,13 @@ class LineSweep {
     const double near_m = std::max(0.0, column.distance_m - step_m_ / 2.0);
     const double far_m = column.distance_m + step_m_ / 2.0;
     const double lowest = std::min(top, std::max(base, column.horizon * near_m + platform_m_));
-    layover.add_seen_thing(range_m(near_m, top), std::max(range_m(far_m, top), range_m(near_m, lowest)));
+    if (top <= platform_m_) {
+      layover.add_seen_thing(range_m(near_m, top), std::max(range_m(far_m, top), range_m(near_m, lowest)));
+      return;
+    }
+    // Of its top nothing is seen, and what of it is nearest is as high as the radar.
+    layover.add_seen_overhead(range_m(near_m, std::max(lowest, platform_m_)), range_m(near_m, top));
+    if (lowest < platform_m_) layover.add_seen_thing(near_m, range_m(near_m, lowest));
   }
 
   const CoarseGround& ground_;

@@ -295,6 +295,19 @@ TEST_P(Layers, WhatStandsBehindALowRadarNeitherHidesNorLiesOver) {
   EXPECT_EQ(set_cells(stack.layers[1].values), 0U);
 }
 
+// So far before a wall of 60 m that it stands below, it is nearer to the ground beyond than to the wall's top.
+TEST_P(Layers, AWallLiesOverAsFarAsItsTopIsFromALowRadar) {
+  for (const auto& [before_m, height_m] : {std::pair{10.0, 5.0}, {60.0, 20.0}}) {
+    radar::Radar radar;
+    radar.position = {0.0, -before_m, height_m};
+    const auto stack = layers_of(GetParam(), tower_scene(60.0F), radar, {LayerKind::Layover});
+    const Stretch layover = stretch_of(stack.layers[0].values);
+    const auto ground_m = [&](double range_m) { return std::sqrt(range_m * range_m - height_m * height_m) - before_m; };
+    EXPECT_NEAR(layover.south_m, ground_m(before_m), cell_m) << before_m;
+    EXPECT_NEAR(layover.north_m, ground_m(std::hypot(before_m, 60.0 - height_m)), cell_m) << before_m;
+  }
+}
+
 TEST_P(Layers, AreTheSameForAnyThreads) {
   const std::vector<LayerKind> kinds{LayerKind::Shadow, LayerKind::Layover, LayerKind::Height};
   const auto one = layers_of(GetParam(), box_scene(), radar_in_the_south(20.0), kinds, narrow_grid, 1);
@@ -317,15 +330,6 @@ TEST(TracedLayers, ALeafSmallerThanACellLiesOverIt) {
   EXPECT_EQ(set_cells(stack.layers[0].values), 1U);
   // Column 4 begins at x = 0, row 169 ends at y = −10.
   EXPECT_EQ(stack.layers[0].values(4, 169), 1.0F);
-}
-
-// 10 m before a wall of 60 m that it stands far below, and nearer to the ground than to the wall's top.
-TEST(TracedLayers, AWallLiesOverAsFarAsItsTopIsFromALowRadar) {
-  const auto stack = layers_of(Way::Traced, tower_scene(60.0F), low_radar_at(-10.0), {LayerKind::Layover});
-  const Stretch layover = stretch_of(stack.layers[0].values);
-  const auto ground_m = [](double range_m) { return std::sqrt(range_m * range_m - 25.0) - 10.0; };
-  EXPECT_NEAR(layover.south_m, ground_m(10.0), cell_m);
-  EXPECT_NEAR(layover.north_m, ground_m(std::hypot(10.0, 55.0)), cell_m);
 }
 
 // Leaves between 10 and 12 m above four metres of ground, seen from 45°: each lies over the ground as far before it as
