@@ -23,6 +23,7 @@
 #include "sigmascape/geo/length_unit.h"
 #include "sigmascape/geo/pixel_net.h"
 #include "sigmascape/geo/quiet_gdal.h"
+#include "sigmascape/geo/raster_content.h"
 #include "sigmascape/geo/spatial_reference.h"
 
 namespace sigmascape::geo {
@@ -337,15 +338,8 @@ Raster::~Raster() = default;
 Raster::Raster(Raster&&) noexcept = default;
 Raster& Raster::operator=(Raster&&) noexcept = default;
 
-std::vector<std::filesystem::path> Raster::files() const {
-  const CPLStringList listed(source_->dataset->GetFileList());
-  std::vector<std::filesystem::path> files;
-  for (int i = 0; i < listed.size(); ++i) {
-    std::error_code error;
-    if (std::filesystem::is_regular_file(listed[i], error)) files.emplace_back(listed[i]);
-  }
-  std::ranges::sort(files);
-  return files;
+std::vector<std::string> Raster::digests() const {
+  return digests_of_content(*source_->dataset);
 }
 
 GeographicPosition Raster::centre() const {

@@ -49,9 +49,8 @@ class Raster {
   Raster(Raster&&) noexcept;
   Raster& operator=(Raster&&) noexcept;
 
-  /// All that it is read from, in order of their names: of a mosaic (VRT) what it is put together from, and files
-  /// beside it that say more of it, as far as these are files on disk.
-  [[nodiscard]] std::vector<std::filesystem::path> files() const;
+  /// SHA-256 of each file that it is read from; see digests_of_content. Rasters of equal digests are equal.
+  [[nodiscard]] std::vector<std::string> digests() const;
   [[nodiscard]] GeographicPosition centre() const;
   /// The shorter side of the cell at a place of a frame, in metres there; of the nearest one, where the raster does not
   /// reach.

@@ -361,7 +361,7 @@ PyramidBuild build_pyramid(const std::filesystem::path& folder, const TerrainSou
                 fmt::format("choose a spacing that makes no more than {} a side", most_tiles_a_side));
   }
   Sha256 hash;
-  for (const std::filesystem::path& file : raster.files()) hash.add(sha256_of_file(file));
+  for (const std::string& digest : raster.digests()) hash.add(digest);
   hash.add(fmt::format("{} {} {} {} {} {}", source.raster.band, source.raster.crs, source.plausible.lowest_m,
                        source.plausible.highest_m, no_data_height_m, frame.proj()));
   if (const double unit_m = raster.height_unit().metres; unit_m != 1.0) hash.add(fmt::format(" {}", unit_m));

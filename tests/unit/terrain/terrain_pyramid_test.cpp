@@ -655,15 +655,19 @@ TEST(PyramidFromRaster, ReadsATileAtATime) {
   }
 }
 
-TEST(PyramidFromRaster, IsMadeAnewWhenAPartOfAMosaicHasChanged) {
-  const ScratchFolder folder;
-  const geo::AsciiGrid grid{500'600.0, 4'795'000.0, 10.0, 100, 80};
-  folder.write("mosaic.vrt", R"(<VRTDataset rasterXSize="100" rasterYSize="80"><SRS>EPSG:25830</SRS>
+std::string mosaic_of(const std::string& file) {
+  return fmt::format(R"(<VRTDataset rasterXSize="100" rasterYSize="80"><SRS>EPSG:25830</SRS>
       <GeoTransform>500600, 10, 0, 4795800, 0, -10</GeoTransform><VRTRasterBand dataType="Float32" band="1"><SimpleSource>
-      <SourceFilename relativeToVRT="1">heights.asc</SourceFilename><SourceBand>1</SourceBand>
-      </SimpleSource></VRTRasterBand></VRTDataset>)");
+      <SourceFilename relativeToVRT="1">{}</SourceFilename><SourceBand>1</SourceBand>
+      </SimpleSource></VRTRasterBand></VRTDataset>)",
+                     file);
+}
+
+/// Builds a pyramid of a raster that `heights.asc` is read through, twice at each of two heights of the latter.
+void expect_made_anew(const ScratchFolder& folder, const std::string& raster) {
+  const geo::AsciiGrid grid{500'600.0, 4'795'000.0, 10.0, 100, 80};
   TerrainSource source;
-  source.raster.file = folder.path("mosaic.vrt").string();
+  source.raster = {raster, 1, "EPSG:25830"};
   source.spacing_m = 5.0;
   const geo::LocalFrame frame(43.312, -2.986);
   for (const double height_m : {100.0, 500.0}) {
@@ -674,6 +678,25 @@ TEST(PyramidFromRaster, IsMadeAnewWhenAPartOfAMosaicHasChanged) {
     EXPECT_EQ(pyramid.load({0, 0, 0})->height_m[0], static_cast<float>(height_m));
     EXPECT_EQ(build_pyramid(folder.path("pyramid"), source, frame, extent).tiles_written, 0U) << "nothing has changed";
   }
+}
+
+TEST(PyramidFromRaster, IsMadeAnewWhenAPartOfAMosaicHasChanged) {
+  const ScratchFolder folder;
+  folder.write("mosaic.vrt", mosaic_of("heights.asc"));
+  expect_made_anew(folder, folder.path("mosaic.vrt").string());
+}
+
+// GDAL lists of a mosaic of mosaics these alone.
+TEST(PyramidFromRaster, IsMadeAnewWhenAPartOfAMosaicOfMosaicsHasChanged) {
+  const ScratchFolder folder;
+  folder.write("region.vrt", mosaic_of("heights.asc"));
+  folder.write("country.vrt", mosaic_of("region.vrt"));
+  expect_made_anew(folder, folder.path("country.vrt").string());
+}
+
+TEST(PyramidFromRaster, IsMadeAnewWhenWhatAVirtualPathLeadsToHasChanged) {
+  const ScratchFolder folder;
+  expect_made_anew(folder, "/vsisubfile/0_10000000," + folder.path("heights.asc").string());
 }
 
 // 100 × 80 cells of 10 m are less than a tile of 256 nodes.
