@@ -102,7 +102,7 @@ radar::Rectangle area_of(const std::string& word) {
 }
 
 std::vector<double> powers_of(const PlotOptions& options) {
-  const radar::GroundMap map = product::read_ground_map(options.input);
+  const radar::GroundMap map = product::read_ground_map(options.input, options.polarization);
   const radar::Rectangle all = map.grid.extent();
   const radar::Rectangle area = options.area_m.empty() ? all : area_of(options.area_m);
   std::vector<double> powers;

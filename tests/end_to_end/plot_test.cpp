@@ -11,6 +11,7 @@
 
 #include "sigmascape/base/hash.h"
 #include "sigmascape/base/units.h"
+#include "sigmascape/geo/geo_raster.h"
 #include "sigmascape/geo/local_frame.h"
 #include "sigmascape/product/ground_map_file.h"
 #include "sigmascape/product/npy_bytes.h"
@@ -152,6 +153,12 @@ TEST_F(Plots, HistogramsOfSpeckleFollowTheirDensities) {
   EXPECT_NE(told().find("--area: has west at 64 m and east at 0 m; exchange the two"), std::string::npos) << told();
   const Json part = drawn("histogram '" + folder_.path("map.tif").string() + "' --area 0,0,64,64");
   EXPECT_EQ(part.at("samples"), 64 * 64);
+
+  geo::GeoRaster raster = geo::read_geotiff(folder_.path("map.tif"));
+  std::erase_if(raster.bands, [](const geo::NamedBand& band) { return band.name != "VV"; });
+  geo::write_geotiff(folder_.path("vv.tif"), raster);
+  const Json of_one_band = drawn("histogram '" + folder_.path("vv.tif").string() + "' --polarization vv");
+  EXPECT_EQ(of_one_band.at("mean"), powers.at("mean"));
 }
 
 // One sample of ten is one and the rest none: the mean is p = 0.1 and the variance p − p², nine times the mean squared.

@@ -122,7 +122,8 @@ void write_geotiff_bytes(const std::filesystem::path& path, std::string_view byt
   write_atomically(path, bytes);
   // What others noted of the file that lay there, statistics above all, does not hold of this one.
   std::error_code ignored;
-  std::filesystem::remove(path.string() + ".aux.xml", ignored);
+  for (const std::filesystem::path& name : {path, end_of_links(path)})
+    std::filesystem::remove(name.string() + ".aux.xml", ignored);
 }
 
 }  // namespace sigmascape::geo

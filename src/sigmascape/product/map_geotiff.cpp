@@ -16,6 +16,7 @@
 #include "sigmascape/geo/coordinate_reference_system.h"
 #include "sigmascape/geo/geo_raster.h"
 #include "sigmascape/product/decibels.h"
+#include "sigmascape/product/described_map.h"
 
 namespace sigmascape::product {
 namespace {
@@ -165,8 +166,10 @@ MapContent read_map_geotiff(const std::filesystem::path& path, const MappedQuant
   const std::string frame = taken(map, frame_key);
   const std::string grid = taken(map, grid_key);
   (void)taken(map, quantity_key);
-  const bool holds = grid == grid_text(map.grid, frame) && geo::is_same_crs(frame, raster.placement.crs);
-  map.crs = holds ? frame : raster.placement.crs;
+  const bool is_of_frame = geo::is_same_crs(frame, raster.placement.crs);
+  map.crs = is_of_frame && grid == grid_text(map.grid, frame) ? frame : raster.placement.crs;
+  // What is told of the radar stays in that frame, in whichever system others have laid the map.
+  if (!is_of_frame && !frame.empty()) map.metadata.try_emplace(local_frame_key, frame);
   return map;
 }
 

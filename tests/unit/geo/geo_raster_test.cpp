@@ -95,6 +95,11 @@ TEST_F(GeoRasterFile, StatisticsOfTheFileBeforeAreNotKept) {
   std::ofstream(folder_ / "map.tif.aux.xml") << "<PAMDataset/>";
   write_geotiff(folder_ / "map.tif", example_raster());
   EXPECT_FALSE(std::filesystem::exists(folder_ / "map.tif.aux.xml"));
+  std::filesystem::create_symlink("map.tif", folder_ / "latest.tif");
+  for (const char* name : {"map.tif.aux.xml", "latest.tif.aux.xml"}) std::ofstream(folder_ / name) << "<PAMDataset/>";
+  write_geotiff(folder_ / "latest.tif", example_raster());
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "map.tif.aux.xml")) << "they lie beside what the link leads to";
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "latest.tif.aux.xml"));
 }
 
 TEST_F(GeoRasterFile, EqualRastersGiveEqualBytes) {

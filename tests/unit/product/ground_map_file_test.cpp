@@ -15,6 +15,7 @@
 #include "sigmascape/base/hash.h"
 #include "sigmascape/geo/geo_raster.h"
 #include "sigmascape/geo/local_frame.h"
+#include "sigmascape/product/described_map.h"
 
 namespace sigmascape::product {
 namespace {
@@ -61,6 +62,7 @@ TEST(GroundMapFile, AFileThatAGisMovedOrNamedAnewKeepsItsOwnCrs) {
     const radar::GroundMap read = read_ground_map(path);
     EXPECT_EQ(read.grid.west_m, -150.5 + moved_m);
     EXPECT_THAT(read.crs, testing::HasSubstr("UTM zone 30N")) << moved_m;
+    EXPECT_EQ(read.metadata.at(local_frame_key), rough_map().crs) << "what is told of the radar stays in its frame";
   }
 }
 
