@@ -82,7 +82,11 @@ Store create_ground_store(const Store& atlas, const std::vector<double>& elevati
 
 std::optional<StoreFault> ground_collection_fault(const Store& atlas) {
   if (auto fault = unread_collection_fault(atlas, ground_folder)) return fault;
-  return layer_collection_fault(atlas, layer_of(atlas, open_ground_store(atlas).description().aspects.elevations_rad));
+  const AtlasDescription kept = open_ground_store(atlas).description();
+  LayerStore layer = layer_of(atlas, kept.aspects.elevations_rad);
+  // Former versions kept as many bits of it as of the looks.
+  if (kept.mantissa_bits == atlas.description().mantissa_bits) layer.description.mantissa_bits = kept.mantissa_bits;
+  return layer_collection_fault(atlas, layer);
 }
 
 std::filesystem::path ground_folder_of(const Store& atlas) {
