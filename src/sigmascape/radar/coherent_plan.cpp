@@ -273,34 +273,41 @@ std::array<double, 2> off_course_of_widths(const Radar& radar, const Sight& sigh
   return {std::acos(std::min(1.0, cosine + change)), std::acos(std::max(-1.0, cosine - change))};
 }
 
+/// Which way the resolution is that the interval gives.
+const char* direction_told(const Radar& radar) {
+  return radar.mode == Mode::Stripmap ? "along the flight" : "across range";
+}
+
 /// Each look in so few pulses answers in another shape than that of its window.
 void check_pulses(const Radar& radar, const CoherentPlan& plan, std::vector<std::string>& warnings) {
   constexpr double few = 4.0;
-  const bool strips = radar.mode == Mode::Stripmap;
   const double pulses = plan.interval_s * radar.waveform.pulse_repetition_hz / plan.looks;
   if (!(std::round(pulses) < few)) return;
   warnings.push_back(
       fmt::format("each look has {:.0f} pulse{}, too few for the resolution of {:.3g} m {} and for the side lobes of "
-                  "its window; use a {} or a higher waveform.pulse_repetition_hz",
-                  pulses, std::round(pulses) > 1.0 ? "s" : "", plan.along_resolution_m,
-                  strips ? "along the flight" : "across range",
-                  strips ? "finer mode.along_resolution_m" : "longer mode.interval_s, fewer mode.looks"));
+                  "its window; {} or a higher waveform.pulse_repetition_hz",
+                  pulses, std::round(pulses) > 1.0 ? "s" : "", plan.along_resolution_m, direction_told(radar),
+                  advice_for_longer(radar, plan.along_resolution_m, plan.interval_s, few / pulses)));
+}
+
+/// By which keys the resolution becomes finer.
+const char* keys_of_resolution(const Radar& radar) {
+  if (radar.processing.interval_s) return "a longer mode.interval_s or fewer mode.looks";
+  return radar.mode == Mode::DopplerBeamSharpening ? "mode.sharpening" : "mode.along_resolution_m";
 }
 
 /// Across the line of sight, of a strip along the flight.
 void check_resolves(const Radar& radar, const CoherentPlan& plan, const Rectangle& area,
                     std::vector<std::string>& warnings) {
-  const bool strips = radar.mode == Mode::Stripmap;
   const Vec2d course{radar.velocity_mps.x, radar.velocity_mps.y};
   const Vec2d away = area.centre() - Vec2d{radar.position.x, radar.position.y};
-  const Vec2d along = strips ? course : Vec2d{-away.y, away.x};
+  const Vec2d along = radar.mode == Mode::Stripmap ? course : Vec2d{-away.y, away.x};
   const auto [least_m, most_m] = span_over(area, [&](Vec2d place) { return dot(place, along) / length(along); });
   if (!(plan.along_resolution_m > most_m - least_m)) return;
   warnings.push_back(
-      fmt::format("the resolution of {:.3g} m across range is wider than what is mapped, {:.3g} m, and "
-                  "nothing of it is told apart; map more, or more finely{}",
-                  plan.along_resolution_m, most_m - least_m,
-                  strips ? " by mode.along_resolution_m" : " by a longer mode.interval_s or fewer mode.looks"));
+      fmt::format("the resolution of {:.3g} m {} is wider than what is mapped, {:.3g} m, and "
+                  "nothing of it is told apart; map more, or more finely by {}",
+                  plan.along_resolution_m, direction_told(radar), most_m - least_m, keys_of_resolution(radar)));
 }
 
 double doppler_of_hz(const Radar& radar, Vec3d place) {

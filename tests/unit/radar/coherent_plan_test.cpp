@@ -15,6 +15,7 @@
 namespace sigmascape::radar {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::HasSubstr;
 
 /// Flies north at 200 m/s with a 2° beam at a wavelength of 3 cm; a rectangular window, 0.8859 cells wide.
@@ -271,7 +272,16 @@ TEST(CoherentPlan, WarnsOfLooksOfFewPulses) {
   };
   EXPECT_THAT(warnings(0.002), ::testing::Contains(HasSubstr("each look has 1 pulse, too few")));
   EXPECT_THAT(warnings(0.006), ::testing::Contains(HasSubstr("each look has 3 pulses, too few")));
+  EXPECT_THAT(warnings(0.006), ::testing::Contains(HasSubstr("give mode.interval_s of at least 0.008, fewer mode.looks "
+                                                             "or a higher waveform.pulse_repetition_hz")));
   EXPECT_THAT(warnings(0.008), ::testing::Not(::testing::Contains(HasSubstr("too few"))));
+  // Where the interval follows from another key it cannot be stated, and takes its length from the looks.
+  radar.processing.interval_s.reset();
+  radar.processing.along_resolution_m = 100.0;
+  radar.waveform.pulse_repetition_hz = 500.0;
+  EXPECT_THAT(plan_warnings(radar, coherent_plan(radar, place_at(90.0)), area, 0.0),
+              ::testing::Contains(AllOf(HasSubstr("its window; give mode.along_resolution_m of at most "),
+                                        ::testing::Not(HasSubstr("looks")))));
 }
 
 /// 0.8859 · 0.03 m · 10 km/(2 · 200 m/s · 0.01 s) are 66 m.
@@ -281,7 +291,9 @@ TEST(CoherentPlan, WarnsOfAResolutionWiderThanTheMap) {
   const CoherentPlan plan = coherent_plan(radar, place_at(90.0));
   EXPECT_THAT(
       plan_warnings(radar, plan, {9900.0, -30.0, 10100.0, 30.0}, 0.0),
-      ::testing::ElementsAre(HasSubstr("the resolution of 66.4 m across range is wider than what is mapped, 60 m")));
+      ::testing::ElementsAre(HasSubstr("the resolution of 66.4 m across range is wider than what is mapped, 60 m, and "
+                                       "nothing of it is told apart; map more, or more finely by a longer "
+                                       "mode.interval_s or fewer mode.looks")));
   EXPECT_THAT(plan_warnings(radar, plan, {9990.0, -40.0, 10010.0, 40.0}, 0.0), ::testing::IsEmpty());
 }
 
@@ -354,8 +366,8 @@ TEST(CoherentPlan, AStripHasPulsesForItsLooks) {
   const Rectangle area{9000.0, -1000.0, 11000.0, 1000.0};
   EXPECT_THAT(plan_warnings(radar, coherent_plan(radar, place_at(90.0)), area, 0.0),
               ::testing::Contains(HasSubstr("each look has 1 pulse, too few for the resolution of 100 m along the "
-                                            "flight and for the side lobes of its window; use a finer "
-                                            "mode.along_resolution_m or a higher waveform.pulse_repetition_hz")));
+                                            "flight and for the side lobes of its window; give "
+                                            "mode.along_resolution_m of at most 25")));
 }
 
 TEST(CoherentPlan, WarnsWhereTheLineOfSightTurnsFar) {
