@@ -79,6 +79,8 @@ TEST_F(AtlasTerrain, IsMadeVerifiedAndMended) {
   const Json made = Json::parse(printed());
   const std::size_t tiles = made.at("written");
   EXPECT_GT(tiles, 4U);
+  const Json& extent = made.at("extent_m");
+  EXPECT_NEAR(extent.at(2).get<double>() - extent.at(0).get<double>(), 8000.0, 300.0) << "no tile ends there";
   ASSERT_EQ(verify(), 0) << told();
 
   ASSERT_EQ(add_terrain(heights), 0) << told();

@@ -7,6 +7,7 @@
 #include <iterator>
 #include <limits>
 #include <set>
+#include <system_error>
 #include <tuple>
 
 #include "map_files.h"
@@ -58,9 +59,7 @@ scene::Scene scene_of(const ResultsPlan& plan) {
   }
   const Vec2d centre = all.centre() + plan.around_m;
   const radar::Rectangle part{centre.x - half_m, centre.y - half_m, centre.x + half_m, centre.y + half_m};
-  const radar::Rectangle within = radar::widened(all, rounding_m);
-  if (part.west_m < within.west_m || part.south_m < within.south_m || part.east_m > within.east_m ||
-      part.north_m > within.north_m) {
+  if (!radar::holds(radar::widened(all, rounding_m), part)) {
     throw Error(
         "--around",
         fmt::format("{:g} m around ({:g}, {:g}) m reach beyond the scene", half_m, plan.around_m.x, plan.around_m.y),
@@ -78,7 +77,7 @@ std::uint64_t seed_of_repeats(const ResultsPlan& plan) {
 /// The map with its rim unseen.
 radar::GroundMap without_rim(radar::GroundMap map, double rim_m) {
   const radar::Rectangle all = map.grid.extent();
-  const radar::Rectangle middle{all.west_m + rim_m, all.south_m + rim_m, all.east_m - rim_m, all.north_m - rim_m};
+  const radar::Rectangle middle = radar::widened(all, -rim_m);
   constexpr float unseen = std::numeric_limits<float>::quiet_NaN();
   for (std::size_t row = 0; row < map.grid.rows; ++row) {
     for (std::size_t column = 0; column < map.grid.columns; ++column) {
@@ -269,7 +268,8 @@ void Measurement::compare_all() {
 }
 
 void Measurement::write_told(const std::filesystem::path& file) const {
-  kept_.write(file, told_);
+  std::error_code absent;
+  if (!std::filesystem::equivalent(file, kept_file(), absent)) kept_.write(file, told_);
 }
 
 std::string Measurement::machines() const {

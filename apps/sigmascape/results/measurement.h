@@ -48,7 +48,8 @@ class Measurement {
   /// Every view is kept in `kept_file` once it is done.
   void compare_all();
   [[nodiscard]] std::filesystem::path kept_file() const { return folder_ / "measured.json"; }
-  /// Writes a file like that one of the views alone that results() are of: others may be kept of other plans.
+  /// Writes a file like that one of the views alone that results() are of: others may be kept of other plans. That one
+  /// itself stays as it is.
   void write_told(const std::filesystem::path& file) const;
 
   [[nodiscard]] const std::vector<ViewResult>& results() const { return results_; }

@@ -52,7 +52,7 @@ typedef struct sigmascape_rectangle {
 /* What the atlas covers. Its terrain may reach farther. Returns 0 when all went well. */
 int sigmascape_extent(const sigmascape_ground* ground, sigmascape_rectangle* extent);
 /* Height of the ground above mean sea level, of the finest terrain; reads a tile if need be. Returns 0 when all went
- * well, and otherwise leaves `height_m`: for a place beyond the tiles of terrain. */
+ * well, and otherwise leaves `height_m`: for a place beyond the terrain. */
 int sigmascape_ground_height(const sigmascape_ground* ground, double x_m, double y_m, double* height_m);
 
 /* Returns when all pages and all terrain that frames have asked for are there, or cannot be had. For whoever would

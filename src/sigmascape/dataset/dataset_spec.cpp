@@ -115,6 +115,7 @@ std::optional<Range> optional_range(const TomlSection& section, std::string_view
 void read_sequence(const TomlSection& section, DatasetSpec& spec) {
   Sequence& sequence = spec.sequence;
   scene::refuse_without(section, "interval_s", "frames", section.has("frames"));
+  scene::refuse_without(section, "speed_mps", "frames", section.has("frames"));
   scene::refuse_without(section, "course_deg", "speed_mps", section.has("speed_mps"));
   sequence.frames = static_cast<std::size_t>(section.whole_number_or("frames", {1.0, 10'000.0, "frames"}, 1));
   sequence.interval_s = section.number_or("interval_s", {1e-3, 1e4, "s"}, 1.0);

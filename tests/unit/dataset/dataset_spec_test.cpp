@@ -50,6 +50,8 @@ TEST_F(DatasetSpecFile, KeepsSequencesWithinReach) {
 TEST_F(DatasetSpecFile, RefusesKeysThatWouldDoNothing) {
   EXPECT_THAT(fault_of("4", "[sequence]\ninterval_s = 5\n"),
               HasSubstr("sequence.interval_s: stands without frames; add frames or remove it"));
+  EXPECT_THAT(fault_of("4", "[sequence]\nspeed_mps = [100, 200]\n"),
+              HasSubstr("sequence.speed_mps: stands without frames"));
   EXPECT_THAT(fault_of("4", "[sequence]\nframes = 2\ncourse_deg = [0, 90]\n"),
               HasSubstr("sequence.course_deg: stands without speed_mps"));
   EXPECT_THAT(fault_of("4", "[[targets]]\nname = \"car\"\nnumber = [1, 2]\nrcs_dbsm = [3, 9]\nheading_deg = [0, 9]\n"),
