@@ -73,6 +73,24 @@ void warn_of_recording(const radar::Radar& radar, const radar::Rectangle& area, 
     warn_of(radar, std::array{*missed});
 }
 
+/// What is made of an atlas alone knows no leaves.
+std::string still_leaves() {
+  return "has wind, which moves leaves of a scene, and these are of an atlas alone: their leaves hang still; record "
+         "them "
+         "with the command line, or state no wind_mps";
+}
+
+/// The radar in a mode that makes such images, its own or else the plainest.
+template <typename Image>
+radar::Radar imaging(radar::Radar radar) {
+  if constexpr (std::is_same_v<Image, radar::StripmapImage>) {
+    radar.mode = radar::Mode::Stripmap;
+  } else if (radar.mode != radar::Mode::DopplerBeamSharpening) {
+    radar.mode = radar::Mode::Spotlight;
+  }
+  return radar;
+}
+
 /// Of a recording `recorded_s` is how long it is to be, which follows from the radar's mode where it is left out.
 template <typename Signal>
 Described<Signal> made(Maker<Signal> make, UsualSpacing usual_spacing_m, const Plan& plan_of, const LoadedAtlas& atlas,
@@ -89,17 +107,22 @@ Described<Signal> made(Maker<Signal> make, UsualSpacing usual_spacing_m, const P
     const auto area = simulate::map_grid(asked.map, description.extent).extent();
     warn_of(radar, (has_cells ? simulate::map_warnings : simulate::area_warnings)(radar, asked.map, atlas.terrain(),
                                                                                   description.extent));
+    if (radar.wind_mps > 0.0) warn_of(radar, std::array{still_leaves()});
     const auto targets =
         simulate::all_targets(nullptr, given, description.frame, atlas.terrain(), settings.seed, time_s);
     if constexpr (!has_cells) {
       settings.interval_s = simulate::recording_interval_s(recorded_s, radar, area, atlas.terrain());
       warn_of_recording(radar, area, atlas.terrain(), targets, recorded_s, settings);
     }
-    const Vec2d middle = area.centre();
+    const Vec2d centre = area.centre();
+    const Vec3d aim{centre.x, centre.y, atlas.terrain().height_at(centre)};
+    radar::Rectangle answering = area;
     std::map<std::string, double> numbers;
-    if (const auto plan = plan_of(radar, {middle.x, middle.y, atlas.terrain().height_at(middle)})) {
+    if (const auto plan = plan_of(radar, aim)) {
       settings.interval_s = plan->interval_s;
       settings.along_resolution_m = plan->along_resolution_m / plan->looks;
+      settings.mapped = area;
+      answering = simulate::answering_area(imaging<Signal>(radar), *plan, area, aim.z);
       numbers = simulate::numbers_of_one_look(*plan);
     }
     if (settings.scatterer_spacing_m == 0.0)
@@ -111,9 +134,10 @@ Described<Signal> made(Maker<Signal> make, UsualSpacing usual_spacing_m, const P
                                description.scene_hash, description.attribution, settings.seed);
     words["time_s"] = fmt::format("{}", time_s);
     words["dwell"] = std::to_string(settings.dwell);
+    words["wind_mps"] = "0";
     words["look_side"] = simulate::look_side(radar, area);
     if constexpr (!has_cells) simulate::tell_of_mode(radar, area, atlas.terrain(), words);
-    return {make(scene, radar, area, settings), radar, std::move(words), std::move(numbers)};
+    return {make(scene, radar, answering, settings), radar, std::move(words), std::move(numbers)};
   });
 }
 
@@ -295,7 +319,10 @@ void add_iq(py::module_& module) {
       "pulses tell apart at the finest, in range or across it, and for the cells of its map where radar.mode makes\n"
       "one. seed: of speckle, targets and noise.\n"
       "time_s: moment, s; radar and targets have moved so long since time zero. dwell: which look at the same ground\n"
-      "this is; each has noise and fluctuating targets of its own, and all the same speckle.");
+      "this is; each has noise and fluctuating targets of its own, and all the same speckle.\n\n"
+      "Of an atlas alone: leaves hang still whatever radar.wind_mps, with a UserWarning, and point targets of the "
+      "scene\n"
+      "are there where they are handed over.");
   module.def(
       "range_doppler", &range_doppler, py::arg("atlas"), py::arg("radar"), py::kw_only(),
       py::arg("interval_s") = py::none(), py::arg("targets") = Targets{}, py::arg("scatterer_spacing_m") = 0.0,

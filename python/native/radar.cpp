@@ -94,7 +94,7 @@ RadarFile made_radar(const std::string& name, double frequency_hz, double range_
   file.has_shortest_pulse = true;
   file.radar.name = name;
   file.radar.polarization = polarization_from(polarization);
-  file.place = radar::LocalPlace{};
+  file.place = radar::Unplaced{};
   set_frequency_hz(file, frequency_hz);
   set_range_resolution_m(file, range_resolution_m);
   set_beam_width_deg(file, beam_width_deg);
@@ -252,7 +252,8 @@ void add_surroundings(py::class_<RadarFile>& binding) {
       "What air and rain take on the way, one way.");
   number(
       binding, "wind_mps", bounds::winds_mps, [](const RadarFile& f) { return f.radar.wind_mps; },
-      [](RadarFile& f, double value) { f.radar.wind_mps = value; }, "That moves leaves, as Doppler sees them.");
+      [](RadarFile& f, double value) { f.radar.wind_mps = value; },
+      "That moves leaves, as Doppler sees them; of render() over a scene alone, for atlases know none.");
   binding.def_property(
       "earth_refraction", [](const RadarFile& f) { return f.radar.earth_refraction; },
       [](RadarFile& f, const std::optional<double>& k) {
@@ -272,7 +273,9 @@ void add_radar(py::module_& module) {
   binding
       .def(py::init(&made_radar), py::kw_only(), py::arg("name") = "radar", py::arg("frequency_hz") = 10e9,
            py::arg("range_resolution_m") = 2.0, py::arg("beam_width_deg") = 0.5, py::arg("polarization") = "vv",
-           py::arg("cell_m") = 2.0, "All else is what a radar file leaves out: the gain follows from the beam.")
+           py::arg("cell_m") = 2.0,
+           "All else is what a radar file leaves out: the gain follows from the beam, and the radar is yet to be "
+           "placed.")
       .def_static(
           "read",
           [](const std::filesystem::path& path) { return radar::read_radar_file(path, radar::PlaceOfRadar::Optional); },
@@ -356,8 +359,10 @@ void add_radar(py::module_& module) {
       .def("__repr__", [](const RadarFile& f) { return "<sigmascape.Radar '" + f.radar.name + "'>"; });
   optional_number(binding, "interval_s", &radar::Processing::interval_s, bounds::intervals_s,
                   "Time over which coherent modes add up pulses; None: what the resolution asks for.");
-  optional_number(binding, "along_resolution_m", &radar::Processing::along_resolution_m, bounds::along_resolutions_m,
-                  "Half-power width across range that spotlight and stripmap process to; None: as fine as in range.");
+  optional_number(
+      binding, "along_resolution_m", &radar::Processing::along_resolution_m, bounds::along_resolutions_m,
+      "Half-power width across range that spotlight and stripmap process to; None: as fine as in range, and of a\n"
+      "strip no finer than its beam gives.");
   optional_number(binding, "sharpening", &radar::Processing::sharpening, bounds::sharpenings,
                   "By what factor Doppler beam sharpening narrows the beam; None: 16.");
   flag(binding, "ambiguities", &radar::Processing::ambiguities, "Strips show ghosts of what folds over azimuth.");

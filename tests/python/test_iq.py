@@ -1,3 +1,4 @@
+import copy
 import hashlib
 import json
 import os
@@ -40,6 +41,18 @@ def pulses(atlas, moving_radar):
 def test_signals_that_cannot_be_are_refused(atlas, moving_radar, call, options, words):
     with pytest.raises(sigmascape.Error, match=words):
         call(atlas, moving_radar, **options)
+
+
+def test_a_radar_is_to_be_placed(atlas):
+    with pytest.raises(sigmascape.Error, match="position of the radar: is not stated"):
+        sigmascape.phase_history(atlas, sigmascape.Radar(), interval_s=0.01)
+
+
+def test_an_atlas_alone_knows_no_leaves(atlas, moving_radar):
+    radar = copy.copy(moving_radar)
+    radar.wind_mps = 5.0
+    with pytest.warns(UserWarning, match="has wind, which moves leaves of a scene"):
+        assert sigmascape.phase_history(atlas, radar, interval_s=0.005).metadata["wind_mps"] == 0.0
 
 
 def test_pulses_are_a_view_with_axes(pulses):
@@ -311,6 +324,9 @@ def test_slant_images_say_the_same_under_every_ending(h5py, small_place, tmp_pat
                 continue  # in HDF5 as datasets and their attributes
             said = file.attrs[key]
             assert (said.decode() if isinstance(said, bytes) else said) == value, key
+    radar, atlas = sigmascape.Radar.read(tmp_path / "radar.toml"), sigmascape.Atlas(small_place / "atlas")
+    ours = (sigmascape.stripmap if kind == "stripmap" else sigmascape.range_doppler)(atlas, radar)
+    assert np.array_equal(ours.samples, samples), "with the ground around the map that answers in its outermost cells"
 
 
 @pytest.mark.parametrize("mode", ["", "[mode]\nkind = \"spotlight\"\nalong_resolution_m = 2\n"])

@@ -38,24 +38,13 @@ double nearest_edge_m(const radar::Radar& radar, const radar::Rectangle& area) {
 
 /// By how much the ground that answers in a map's outermost cells reaches beyond them along range: two resolution
 /// cells, and where a step of slant range is long on the ground as far as that many of slant range reach.
-double range_rim_m(const ModeRequest& request, double below_m) {
-  const radar::Radar& radar = request.radar;
-  const double edge_m = nearest_edge_m(radar, request.grid.extent()), range_m = std::hypot(edge_m, below_m);
+double range_rim_m(const radar::Radar& radar, const radar::Rectangle& map, double below_m) {
+  const double edge_m = nearest_edge_m(radar, map), range_m = std::hypot(edge_m, below_m);
   const auto ground_m = [below_m](double of_range_m) {
     return radar::distance_of_range_m(radar::CurvedEarth::flat(), below_m, 0.0, std::max(of_range_m, 0.0));
   };
   const double spare_m = 2.0 * radar.range_resolution_m;
   return std::max({spare_m, edge_m - ground_m(range_m - spare_m), ground_m(range_m + spare_m) - edge_m});
-}
-
-/// The map with the ground around it that answers in its outermost cells.
-radar::Rectangle with_rim(const ModeRequest& request, const radar::CoherentPlan& plan) {
-  const double height_m = middle_of(request.grid, request.terrain).z;
-  const double along_range_m = range_rim_m(request, request.radar.position.z - height_m);
-  const radar::Rectangle map = request.grid.extent();
-  if (request.radar.mode == radar::Mode::Stripmap)
-    return radar::widened(map, std::max(along_range_m, 2.0 * plan.along_resolution_m));
-  return radar::widened(radar::answering_ground(request.radar, plan, map, height_m), along_range_m);
 }
 
 /// What the makers of images ask for.
@@ -81,7 +70,7 @@ Prepared prepared(const ModeRequest& request, const radar::CoherentPlan& plan) {
                        .moment_s = request.moment_s,
                        .mapped = request.grid.extent(),
                        .threads = request.threads},
-          .area = with_rim(request, plan)};
+          .area = answering_area(radar, plan, request.grid.extent(), middle_of(request.grid, request.terrain).z)};
 }
 
 }  // namespace
@@ -111,6 +100,14 @@ void require_real_beam(const std::filesystem::path& radar_file, std::string_view
   if (kind == real_beam) return;
   throw section->fault("kind", fmt::format("is {}, and {}", kind, what_serves),
                        "take the [mode] out of the radar file, or name another radar file");
+}
+
+radar::Rectangle answering_area(const radar::Radar& radar, const radar::CoherentPlan& plan, const radar::Rectangle& map,
+                                double height_m) {
+  const double along_range_m = range_rim_m(radar, map, radar.position.z - height_m);
+  if (radar.mode == radar::Mode::Stripmap)
+    return radar::widened(map, std::max(along_range_m, 2.0 * plan.along_resolution_m));
+  return radar::widened(radar::answering_ground(radar, plan, map, height_m), along_range_m);
 }
 
 ModePlan mode_plan(const ModeRequest& request) {

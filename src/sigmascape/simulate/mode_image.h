@@ -42,6 +42,11 @@ struct ModePlan {
 /// Throws Error as coherent_plan does.
 [[nodiscard]] ModePlan mode_plan(const ModeRequest& request);
 
+/// A map with the ground around it that answers in its outermost cells: what the image of the radar's mode is made of.
+/// The map lies at that height.
+[[nodiscard]] radar::Rectangle answering_area(const radar::Radar& radar, const radar::CoherentPlan& plan,
+                                              const radar::Rectangle& map, double height_m);
+
 /// In slant range and Doppler, or along the track for stripmap: amplitudes in metres.
 using ModeImage = std::variant<radar::RangeDopplerImage, radar::StripmapImage>;
 
