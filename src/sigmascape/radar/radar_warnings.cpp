@@ -60,8 +60,9 @@ void check_eclipsing(const Radar& radar, Swath swath, std::vector<std::string>& 
   }
   const auto warn = [&](int of_places, const char* cause) {
     if (of_places == 0) return;
-    warnings.push_back(fmt::format("over {:.0f} % of the swath the receiver is deaf for more than half of the echo {}",
-                                   100.0 * of_places / places, cause));
+    const double percent = 100.0 * of_places / places;
+    warnings.push_back(fmt::format("over {} % of the swath the receiver is deaf for more than half of the echo {}",
+                                   percent < 1.0 ? "less than 1" : fmt::format("{:.0f}", percent), cause));
   };
   warn(deaf_by_own, "while the pulse itself is sent; use a shorter pulse");
   warn(deaf, "while the next pulse is sent; use another pulse repetition frequency or a shorter pulse");

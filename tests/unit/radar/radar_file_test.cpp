@@ -532,7 +532,10 @@ TEST_F(RadarWarnings, NameTheUnambiguousRange) {
 TEST_F(RadarWarnings, TellOfDeafRangesGatesAndCells) {
   radar_.waveform.pulse_length_s = 40e-6;
   EXPECT_THAT(radar_warnings(radar_, swath(20e3, 40e3), {20e3, 40e3, 0.0}, 10.0),
-              ::testing::ElementsAre(HasSubstr("the receiver is deaf")));
+              ::testing::ElementsAre(HasSubstr("% of the swath the receiver is deaf")));
+  // The next pulse leaves within 20 µs from 26,981 m on, which are the last 59 m of 9 km.
+  EXPECT_THAT(radar_warnings(radar_, swath(18e3, 27.04e3), {18e3, 27.04e3, 0.0}, 10.0),
+              ::testing::ElementsAre(HasSubstr("over less than 1 % of the swath the receiver is deaf")));
   radar_.waveform.pulse_length_s = 1e-6;
   radar_.receiver.last_range_m = 18e3;
   EXPECT_THAT(radar_warnings(radar_, swath(20e3, 25e3), {20e3, 25e3, 0.0}, 10.0),
