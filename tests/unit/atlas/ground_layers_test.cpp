@@ -1,6 +1,7 @@
 #include "sigmascape/atlas/ground_layers.h"
 
 #include <filesystem>
+#include <fstream>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -30,6 +31,24 @@ TEST(GroundStore, KeepsAllBitsHoweverFewTheLooksKeep) {
   EXPECT_EQ(create_ground_store(atlas, {0.1, 0.5}).description().mantissa_bits, 10);
   EXPECT_EQ(open_ground_store(atlas).description().mantissa_bits, 10);
   EXPECT_FALSE(ground_collection_fault(atlas));
+}
+
+// As former programs wrote them.
+TEST(GroundStore, MayKeepAsFewBitsAsTheLooks) {
+  const ScratchFolder folder;
+  AtlasDescription description = with_ground_apart();
+  description.mantissa_bits = 3;
+  const Store atlas = Store::create(folder.path("atlas"), description);
+  static_cast<void>(create_ground_store(atlas, {0.1, 0.5}));
+  const auto collection = ground_folder_of(atlas) / collection_name;
+  const auto with_bits = [&](int bits) {
+    AtlasDescription ground = open_ground_store(atlas).description();
+    ground.mantissa_bits = bits;
+    std::ofstream(collection) << collection_text(ground);
+    return ground_collection_fault(atlas);
+  };
+  EXPECT_FALSE(with_bits(3));
+  EXPECT_TRUE(with_bits(4));
 }
 
 TEST(GroundStore, ThatIsMissingIsToldWithTheBakeThatMakesItAgain) {
