@@ -52,8 +52,14 @@ struct Described {
   }
 };
 
-/// How a coherent mode makes an image of an area whose middle is `aim`; nothing for a recording.
-using Plan = std::function<std::optional<radar::CoherentPlan>(const radar::Radar&, Vec3d aim)>;
+/// A radar in the mode that makes an image, and how that does it.
+struct Planned {
+  radar::Radar radar;
+  radar::CoherentPlan plan;
+};
+
+/// Of an image of an area whose middle is `aim`; nothing for a recording.
+using Plan = std::function<std::optional<Planned>(const radar::Radar&, Vec3d aim)>;
 
 template <typename Signal>
 using Maker = Signal (*)(const simulate::CoherentScene&, const radar::Radar&, const radar::Rectangle&,
@@ -78,17 +84,6 @@ std::string still_leaves() {
   return "has wind, which moves leaves of a scene, and these are of an atlas alone: their leaves hang still; record "
          "them "
          "with the command line, or state no wind_mps";
-}
-
-/// The radar in a mode that makes such images, its own or else the plainest.
-template <typename Image>
-radar::Radar imaging(radar::Radar radar) {
-  if constexpr (std::is_same_v<Image, radar::StripmapImage>) {
-    radar.mode = radar::Mode::Stripmap;
-  } else if (radar.mode != radar::Mode::DopplerBeamSharpening) {
-    radar.mode = radar::Mode::Spotlight;
-  }
-  return radar;
 }
 
 /// Of a recording `recorded_s` is how long it is to be, which follows from the radar's mode where it is left out.
@@ -118,12 +113,14 @@ Described<Signal> made(Maker<Signal> make, UsualSpacing usual_spacing_m, const P
     const Vec3d aim{centre.x, centre.y, atlas.terrain().height_at(centre)};
     radar::Rectangle answering = area;
     std::map<std::string, double> numbers;
-    if (const auto plan = plan_of(radar, aim)) {
-      settings.interval_s = plan->interval_s;
-      settings.along_resolution_m = plan->along_resolution_m / plan->looks;
+    if (const auto planned = plan_of(radar, aim)) {
+      const radar::CoherentPlan& plan = planned->plan;
+      warn_of(radar, radar::plan_warnings(planned->radar, plan, area, aim.z));
+      settings.interval_s = plan.interval_s;
+      settings.along_resolution_m = plan.along_resolution_m / plan.looks;
       settings.mapped = area;
-      answering = simulate::answering_area(imaging<Signal>(radar), *plan, area, aim.z);
-      numbers = simulate::numbers_of_one_look(*plan);
+      answering = simulate::answering_area(planned->radar, plan, area, aim.z);
+      numbers = simulate::numbers_of_one_look(plan);
     }
     if (settings.scatterer_spacing_m == 0.0)
       settings.scatterer_spacing_m = usual_spacing_m(radar, area, atlas.terrain(), settings);
@@ -163,7 +160,7 @@ Described<radar::PhaseHistory> phase_history(const LoadedAtlas& atlas, const rad
                                              std::optional<double> interval_s, const Targets& targets, bool calibrated,
                                              double scatterer_spacing_m, Seed seed, double time_s, Dwell dwell,
                                              Threads threads) {
-  const auto unplanned = [](const radar::Radar&, Vec3d) { return std::optional<radar::CoherentPlan>(); };
+  const auto unplanned = [](const radar::Radar&, Vec3d) { return std::optional<Planned>(); };
   auto pulses = made(&simulate::phase_history, &spacing_of_pulses_m, unplanned, atlas, radar, targets, time_s,
                      {.scatterer_spacing_m = scatterer_spacing_m,
                       .seed = seed,
@@ -175,13 +172,17 @@ Described<radar::PhaseHistory> phase_history(const LoadedAtlas& atlas, const rad
   return pulses;
 }
 
-/// The radar's own mode, or one of these images as the given number asks for it, of one look.
-radar::CoherentPlan plan_with(radar::Radar radar, radar::Mode mode, std::optional<double> radar::Processing::*asked,
-                              double value, Vec3d aim) {
+std::optional<Planned> planned(const radar::Radar& radar, Vec3d aim) {
+  return Planned{radar, radar::coherent_plan(radar, aim)};
+}
+
+/// The radar in a mode of which one number is asked, for one look.
+radar::Radar asked_for(radar::Radar radar, radar::Mode mode, std::optional<double> radar::Processing::*number,
+                       double value) {
   radar.mode = mode;
   radar.processing = {};
-  radar.processing.*asked = value;
-  return radar::coherent_plan(radar, aim);
+  radar.processing.*number = value;
+  return radar;
 }
 
 Described<radar::RangeDopplerImage> range_doppler(const LoadedAtlas& atlas, const radar::RadarFile& radar,
@@ -191,9 +192,10 @@ Described<radar::RangeDopplerImage> range_doppler(const LoadedAtlas& atlas, cons
   if (interval_s) within("interval_s", *interval_s, radar::bounds::intervals_s);
   const Plan plan = [interval_s](const radar::Radar& placed, Vec3d aim) {
     const bool has_mode = placed.mode == radar::Mode::DopplerBeamSharpening || placed.mode == radar::Mode::Spotlight;
-    if (has_mode && !interval_s) return radar::coherent_plan(placed, aim);
-    return plan_with(placed, has_mode ? placed.mode : radar::Mode::Spotlight, &radar::Processing::interval_s,
-                     interval_s.value_or(simulate::usual_interval_s), aim);
+    if (has_mode && !interval_s) return planned(placed, aim);
+    return planned(asked_for(placed, has_mode ? placed.mode : radar::Mode::Spotlight, &radar::Processing::interval_s,
+                             interval_s.value_or(simulate::usual_interval_s)),
+                   aim);
   };
   return made(&simulate::range_doppler_image, &spacing_of_sharpened_m, plan, atlas, radar, targets, time_s,
               {.scatterer_spacing_m = scatterer_spacing_m, .seed = seed, .dwell = dwell, .threads = threads});
@@ -206,11 +208,12 @@ Described<radar::StripmapImage> stripmap(const LoadedAtlas& atlas, const radar::
   if (along_resolution_m) within("along_resolution_m", *along_resolution_m, radar::bounds::along_resolutions_m);
   const Plan plan = [along_resolution_m](const radar::Radar& placed, Vec3d aim) {
     if (along_resolution_m)
-      return plan_with(placed, radar::Mode::Stripmap, &radar::Processing::along_resolution_m, *along_resolution_m, aim);
+      return planned(
+          asked_for(placed, radar::Mode::Stripmap, &radar::Processing::along_resolution_m, *along_resolution_m), aim);
     radar::Radar strip = placed;
     strip.mode = radar::Mode::Stripmap;
     if (placed.mode != radar::Mode::Stripmap) strip.processing = {};
-    return radar::coherent_plan(strip, aim);
+    return planned(strip, aim);
   };
   return made(&simulate::stripmap_image, &spacing_of_strip_m, plan, atlas, radar, targets, time_s,
               {.scatterer_spacing_m = scatterer_spacing_m, .seed = seed, .dwell = dwell, .threads = threads});
