@@ -3,6 +3,7 @@
 #include <array>
 #include <cpl_string.h>
 #include <cpl_vsi.h>
+#include <fmt/format.h>
 #include <gdal_priv.h>
 #include <memory>
 #include <set>
@@ -14,11 +15,6 @@
 
 namespace sigmascape::geo {
 namespace {
-
-bool is_file(const std::string& name) {
-  VSIStatBufL status;
-  return VSIStatL(name.c_str(), &status) == 0 && VSI_ISREG(status.st_mode) != 0;
-}
 
 struct Closing {
   void operator()(VSILFILE* file) const { VSIFCloseL(file); }
@@ -37,16 +33,23 @@ std::string digest_of_file(const std::string& name) {
   return digest.hex_digest();
 }
 
-/// Adds the files that a raster lists, and those that the mosaics among them list, which GDAL leaves to whoever asks.
-void add_files(GDALDataset& raster, std::set<std::string>& files) {
+/// Of what goes by that name, be it a file or not.
+std::string digest_of(const std::string& name) {
+  VSIStatBufL status;
+  if (VSIStatL(name.c_str(), &status) != 0 || VSI_ISREG(status.st_mode) == 0) return sha256_of(name);
+  if (VSIIsLocal(name.c_str())) return digest_of_file(name);
+  return sha256_of(fmt::format("{} {} {}", name, status.st_size, status.st_mtime));
+}
+
+/// Adds what a raster lists, and what that lists by itself: of a mosaic GDAL names its parts, but not what these are
+/// read from.
+void add_names(GDALDataset& raster, std::set<std::string>& names) {
+  names.insert(raster.GetDescription());
   const CPLStringList listed(raster.GetFileList());
   for (int i = 0; i < listed.size(); ++i) {
-    const std::string name = listed[i];
-    if (!is_file(name) || !files.insert(name).second) continue;
-    static constexpr std::array<const char*, 2> mosaics = {"VRT", nullptr};
-    const GDALDatasetUniquePtr mosaic(
-        GDALDataset::Open(name.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, mosaics.data()));
-    if (mosaic) add_files(*mosaic, files);
+    if (!names.insert(listed[i]).second) continue;
+    const GDALDatasetUniquePtr part(GDALDataset::Open(listed[i], GDAL_OF_RASTER | GDAL_OF_READONLY));
+    if (part) add_names(*part, names);
   }
 }
 
@@ -54,12 +57,10 @@ void add_files(GDALDataset& raster, std::set<std::string>& files) {
 
 std::vector<std::string> digests_of_content(GDALDataset& raster) {
   const QuietGdal quiet;
-  std::set<std::string> files;
-  add_files(raster, files);
+  std::set<std::string> names;
+  add_names(raster, names);
   std::vector<std::string> digests;
-  for (const std::string& file : files) digests.push_back(digest_of_file(file));
-  const std::string name = raster.GetDescription();
-  if (!files.contains(name)) digests.push_back(sha256_of(name));
+  for (const std::string& name : names) digests.push_back(digest_of(name));
   return digests;
 }
 

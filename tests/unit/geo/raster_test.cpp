@@ -474,5 +474,18 @@ TEST(Raster, MissingFileWrongFormatAndWrongBandAreErrors) {
   EXPECT_NE(message_of_error([&] { Raster({one_band, 2, "EPSG:25830"}); }).find("has no band 2"), std::string::npos);
 }
 
+// A mosaic names its tiles, and not what lies beside them.
+TEST(Raster, DigestsAreOfAllThatTheTilesOfAMosaicAreReadFrom) {
+  const ScratchFolder folder;
+  folder.write("tile.asc", utm.text([](double, double) { return 7.0; }));
+  const auto mosaic = folder.write("mosaic.vrt", R"(<VRTDataset rasterXSize="100" rasterYSize="80"><SRS>EPSG:25830</SRS>
+      <GeoTransform>500600, 10, 0, 4795800, 0, -10</GeoTransform><VRTRasterBand dataType="Float32" band="1"><SimpleSource>
+      <SourceFilename relativeToVRT="1">tile.asc</SourceFilename><SourceBand>1</SourceBand>
+      </SimpleSource></VRTRasterBand></VRTDataset>)");
+  EXPECT_EQ(Raster({mosaic, 1, ""}).digests().size(), 2U);
+  folder.write("tile.prj", "Projection UTM\nZone 30\nDatum WGS84\nUnits METERS\n");
+  EXPECT_EQ(Raster({mosaic, 1, ""}).digests().size(), 3U);
+}
+
 }  // namespace
 }  // namespace sigmascape::geo
