@@ -59,6 +59,10 @@ LayerStore layer_of(const Store& atlas, const std::vector<double>& elevations_ra
       layer_description(atlas.description(), "ground", "ground without what stands on it, from any azimuth",
                         {{0.0}, elevations_rad, atlas.description().aspects.frequencies_hz})};
   layer.description.mantissa_bits = pyramid_bits;
+  if (unread_collection_fault(atlas, ground_folder)) return layer;
+  // Former versions kept as many bits of it as of the looks, and what is begun so goes on so.
+  const int kept = open_layer_store(atlas, ground_folder).description().mantissa_bits;
+  if (kept == atlas.description().mantissa_bits) layer.description.mantissa_bits = kept;
   return layer;
 }
 
@@ -82,11 +86,7 @@ Store create_ground_store(const Store& atlas, const std::vector<double>& elevati
 
 std::optional<StoreFault> ground_collection_fault(const Store& atlas) {
   if (auto fault = unread_collection_fault(atlas, ground_folder)) return fault;
-  const AtlasDescription kept = open_ground_store(atlas).description();
-  LayerStore layer = layer_of(atlas, kept.aspects.elevations_rad);
-  // Former versions kept as many bits of it as of the looks.
-  if (kept.mantissa_bits == atlas.description().mantissa_bits) layer.description.mantissa_bits = kept.mantissa_bits;
-  return layer_collection_fault(atlas, layer);
+  return layer_collection_fault(atlas, layer_of(atlas, open_ground_store(atlas).description().aspects.elevations_rad));
 }
 
 std::filesystem::path ground_folder_of(const Store& atlas) {

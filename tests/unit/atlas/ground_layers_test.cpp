@@ -48,6 +48,9 @@ TEST(GroundStore, MayKeepAsFewBitsAsTheLooks) {
     return ground_collection_fault(atlas);
   };
   EXPECT_FALSE(with_bits(3));
+  std::vector<StoreFault> mended;
+  static_cast<void>(create_ground_store(atlas, {0.1, 0.5}, &mended));
+  EXPECT_TRUE(mended.empty()) << "a bake goes on with it";
   EXPECT_TRUE(with_bits(4));
 }
 
