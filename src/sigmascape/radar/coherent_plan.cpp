@@ -38,7 +38,7 @@ bool beam_straddles_course(const Radar& radar, const Sight& sight) {
   return off_the_line_rad(sight.off_course_rad) < radar.beam_width_rad / 2.0;
 }
 
-[[noreturn]] void refuse_straight_ahead(const Radar& radar, const Sight& sight, const char* advice) {
+[[noreturn]] void refuse_straight_ahead(const Radar& radar, const Sight& sight, const std::string& advice) {
   throw Error(
       title_of(radar),
       fmt::format("flies straight towards or away from what it maps, {:.2g}° off its course, where Doppler does "
@@ -142,8 +142,13 @@ void plan_interval(const Radar& radar, const Sight& sight, CoherentPlan& plan) {
     throw Error(title_of(radar), "is straight above what it maps, where nothing lies across",
                 "map ground farther to the side");
   }
-  if (!asked.interval_s && beam_straddles_course(radar, sight))
-    refuse_straight_ahead(radar, sight, "map ground farther to the side, or state mode.interval_s");
+  if (!asked.interval_s && beam_straddles_course(radar, sight)) {
+    const char* const in_place_of = asked.along_resolution_m ? " in place of mode.along_resolution_m"
+                                    : asked.sharpening       ? " in place of mode.sharpening"
+                                                             : "";
+    refuse_straight_ahead(radar, sight,
+                          fmt::format("map ground farther to the side, or state mode.interval_s{}", in_place_of));
+  }
   const double in_a_second_m = resolution_in_a_second_m(radar, sight);
   const double wanted_m =
       radar.mode == Mode::DopplerBeamSharpening
@@ -375,9 +380,9 @@ std::vector<std::string> plan_warnings(const Radar& radar, const CoherentPlan& p
   if (radar.mode != Mode::Stripmap && (on_both_sides || off_the_line < plan.blind_wedge_rad)) {
     warnings.push_back(fmt::format(
         "part of what is mapped lies in the blind wedge about the course, within {:.3g}° of it, where it is no "
-        "sharper than the real beam, and σ0 does not hold there and close beside; map ground farther to the side or "
-        "use a longer mode.interval_s",
-        deg_from_radians(plan.blind_wedge_rad)));
+        "sharper than the real beam, and σ0 does not hold there and close beside; map ground farther to the side, or "
+        "more finely by {}",
+        deg_from_radians(plan.blind_wedge_rad), keys_of_resolution(radar)));
   }
   if (on_both_sides) {
     warnings.emplace_back(
