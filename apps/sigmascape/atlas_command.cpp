@@ -331,7 +331,7 @@ void build_terrain(const std::string& folder, terrain::TerrainSource source, dou
   terrain::TerrainPyramid built = terrain::open_pyramid(pyramid, 0);
   warn_of_other_heights(store, source.raster.file.string(), built);
   const terrain::PyramidLayout& layout = built.layout();
-  const radar::Rectangle extent = layout.extent();
+  const radar::Rectangle extent = built.extent();
   std::string text = fmt::format("{}, {} x {} tiles of {} cells of {:g} m: {:.0f} m x {:.0f} m; {} written",
                                  counted(layout.levels(), "level", "levels"), layout.tiles_across, layout.tiles_down,
                                  terrain::HeightTile::cells, layout.spacing_m, extent.width_m(), extent.height_m(),
@@ -342,14 +342,13 @@ void build_terrain(const std::string& folder, terrain::TerrainSource source, dou
                         source.raster.file.filename().string(), build.nodes_without_height == 1 ? "lies" : "lie",
                         no_data_height_m);
   }
-  const radar::Rectangle ground = built.extent();
   output.finish(text, {{"atlas", folder},
                        {"written", build.tiles_written},
                        {"nodes_without_height", build.nodes_without_height},
                        {"levels", layout.levels()},
                        {"tiles", {layout.tiles_across, layout.tiles_down}},
                        {"spacing_m", layout.spacing_m},
-                       {"extent_m", {ground.west_m, ground.south_m, ground.east_m, ground.north_m}}});
+                       {"extent_m", {extent.west_m, extent.south_m, extent.east_m, extent.north_m}}});
 }
 
 void add_terrain_command(Command added, const std::shared_ptr<std::string>& folder, Output& output) {
