@@ -13,8 +13,9 @@ namespace sigmascape::physics_test {
 namespace {
 
 /// Spotlight SAR with cells of 1.5 m times the looks along, from the south on a flight to the east, on cells of 1 m.
-radar::GroundMap spotlight(const scene::Scene& scene, std::size_t looks) {
-  const atlas::Atlas atlas = baked_from_south(scene, bake::Shadows::RunTime);
+radar::GroundMap spotlight(const scene::Scene& scene, std::size_t looks,
+                           bake::Shadows shadows = bake::Shadows::RunTime) {
+  const atlas::Atlas atlas = baked_from_south(scene, shadows);
   radar::Radar radar;
   radar.mode = radar::Mode::Spotlight;
   radar.frequency_hz = frequency_hz;
@@ -82,6 +83,14 @@ TEST(CoherentGroundApart, bare_ground_kept_apart_has_its_sigma0) {
                             spread_of(looked), 0.03, "", "independent looks"});
   validation::expect_close({"Coherent maps", "part of the cells below a tenth of the mean, on the ground",
                             1.0 - std::exp(-0.1), dark_part_of(map), 0.01, "", "exponential speckle"});
+}
+
+/// Texels hold means: with n of them a cell that speckled themselves, by the noise of their few rays, the variance
+/// would be 1 + 2/n of the square.
+TEST(CoherentGround, of_textures_is_not_speckled_twice) {
+  const auto map = spotlight(ground_with_box(0.0, false), 1, bake::Shadows::Baked);
+  validation::expect_close({"Coherent maps", "variance over mean² of one look, on ground in textures", 1.0,
+                            spread_of(map), 0.06, "", "exponential speckle"});
 }
 
 /// The shadow of the roof's far edge is dark for h / tan ψ behind the box, and the ground beyond it is not.

@@ -6,6 +6,7 @@
 #include <map>
 #include <vector>
 
+#include "keep_worst.h"
 #include "physics/level_scene.h"
 #include "physics/ulaby_dobson_curves.h"
 #include "scratch_folder.h"
@@ -167,7 +168,7 @@ TEST(FlatGround, EveryVerifiedRowOfUlabyAndDobson) {
         const double expected_db =
             is_fit ? curve.sigma0_db[i] : db_from_linear(row.sigma0(radians_from_deg(incidences_deg[i])));
         const double error = error_db(6 - i, expected_db);
-        if (std::abs(error) > std::abs(worst)) worst = error;
+        keep_worst(worst, error);
       }
       validation::expect_close({.group = flat_ground_group,
                                 .name = name_of(curve) + ", worst error of 1 to 70° of incidence",
@@ -192,7 +193,7 @@ TEST(FlatGround, TheSizeOfTexelsDoesNotMatter) {
       for (std::size_t elevation = 0; elevation < elevations_rad.size(); ++elevation) {
         const double change_db = db_from_linear(
             static_cast<double>(other.sigma0(square, elevation).vv / middle.sigma0(square, elevation).vv));
-        worst = std::max(worst, std::abs(change_db));
+        keep_worst(worst, change_db);
       }
     }
     validation::expect_close(
@@ -220,7 +221,7 @@ TEST(FlatGround, TheSizeOfPixelsDoesNotMatter) {
     for (const scatter::Material& ground : {lambert_ground(), gamma_ground(), tabulated_ground(Class::Grass)}) {
       for (const double elevation_deg : {2.0, 20.0, 60.0}) {
         const double change = sigma0_vv(ground, elevation_deg, cell_m, 16) / sigma0_vv(ground, elevation_deg, 1.0, 16);
-        worst = std::max(worst, std::abs(db_from_linear(change)));
+        keep_worst(worst, db_from_linear(change));
       }
     }
     validation::expect_close(

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <tuple>
 
+#include "keep_worst.h"
 #include "unit/render/live_ground_example.h"
 #include "validation/validation_record.h"
 
@@ -36,7 +37,7 @@ double worst_db(const Frame& frame, double height_m) {
       expected += expected_rcs(frame.grid, range, height_m) * static_cast<double>(frame.grid.azimuths - 4);
     }
     const double error_db = db_from_linear(sum / expected);
-    if (std::abs(error_db) > std::abs(worst)) worst = error_db;
+    keep_worst(worst, error_db);
   }
   return worst;
 }

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "keep_worst.h"
 #include "physics/baked_atlas.h"
 #include "physics/image_total.h"
 #include "physics/level_scene.h"
@@ -27,7 +28,7 @@ double worst_at_the_edge_db(const radar::RangeAzimuthImage& image, const scene::
       if (row > 0 && row + 1 < part.rows && column > 0 && column + 1 < part.columns) continue;
       const double error_db = db_from_linear(static_cast<double>(map.sigma0(column, row).vv) /
                                              (ground_gamma * std::sin(radians_from_deg(map_elevation_deg))));
-      if (std::abs(error_db) > std::abs(worst_db)) worst_db = error_db;
+      keep_worst(worst_db, error_db);
     }
   }
   return worst_db;
@@ -91,7 +92,7 @@ double worst_against_the_whole_db(const atlas::Atlas& atlas, const scene::Scene&
   for (std::size_t i = 0; i < own.sigma0.size(); ++i) {
     const double error_db = db_from_linear(static_cast<double>(own.sigma0.values()[i].vv) /
                                            static_cast<double>(whole.sigma0.values()[i].vv));
-    if (std::abs(error_db) > std::abs(worst_db)) worst_db = error_db;
+    keep_worst(worst_db, error_db);
   }
   return worst_db;
 }

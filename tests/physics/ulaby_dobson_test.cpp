@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "keep_worst.h"
 #include "physics/ulaby_dobson_curves.h"
 #include "validation/validation_record.h"
 
@@ -32,7 +33,7 @@ double worst_error_db(const Curve& curve, double last_deg, Sigma0Db sigma0_db) {
   for (std::size_t i = 0; i < incidences_deg.size(); ++i) {
     if (incidences_deg[i] < row_of(curve).least_incidence_deg || incidences_deg[i] > last_deg) continue;
     const double error = sigma0_db(incidences_deg[i]) - curve.sigma0_db[i];
-    if (std::abs(error) > std::abs(worst)) worst = error;
+    keep_worst(worst, error);
   }
   return worst;
 }

@@ -36,7 +36,11 @@ def test_powers_are_the_mean_of_amplitudes(atlas):
     assert powers.dtype == np.float32 and powers.shape == (30, 40, 4)
     seeds = [renderer_of(atlas, seed=seed).render(PLACE, **POSE).amplitudes_m[..., 0].copy() for seed in range(24)]
     mean = np.mean(np.abs(seeds) ** 2, axis=0)
-    assert mean.sum() == pytest.approx(powers[..., 0].sum(), rel=0.2)
+    lit = powers[..., 0] > 0.0
+    assert lit.sum() > 300
+    # Each is the mean of 24 exponentials. Beside what is bright some have more: a scatterer lies anywhere in its cell.
+    assert np.median(mean[lit] / powers[..., 0][lit]) == pytest.approx(1.0, abs=0.05)
+    assert mean.sum() == pytest.approx(powers[..., 0].sum(), rel=0.2)  # a bin or two have most of it
 
 
 def test_a_scan_renders_its_beams_alone(atlas):

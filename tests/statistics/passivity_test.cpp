@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "directions.h"
+#include "keep_worst.h"
 #include "statistics/every_material.h"
 #include "validation/validation_record.h"
 
@@ -48,14 +49,15 @@ TEST(Passivity, EveryMaterial) {
     double greatest = 0.0;
     for (const double incidence_deg : incidences_deg) {
       const ReturnedPower power = returned_power(model, direction(incidence_deg, 200.0), 1U << 14U);
-      greatest = std::max({greatest, power.from_v, power.from_h});
-      EXPECT_GT(std::min(power.from_v, power.from_h), 0.0) << material.name << " at " << incidence_deg << "°";
+      for (const double returned : {power.from_v, power.from_h}) keep_worst(greatest, returned);
+      EXPECT_GT(power.from_v, 0.0) << material.name << " at " << incidence_deg << "°";
+      EXPECT_GT(power.from_h, 0.0) << material.name << " at " << incidence_deg << "°";
     }
     for (const double frequency_hz : ends_of_frequencies(material)) {
       const scatter::SurfaceModel at_end(material, frequency_hz);
       for (const double incidence_deg : {0.0, 40.0, 70.0, 85.0}) {
         const ReturnedPower power = returned_power(at_end, direction(incidence_deg, 200.0), 1U << 13U);
-        greatest = std::max({greatest, power.from_v, power.from_h});
+        for (const double returned : {power.from_v, power.from_h}) keep_worst(greatest, returned);
       }
     }
     validation::expect_close(
@@ -63,7 +65,7 @@ TEST(Passivity, EveryMaterial) {
          .name = fmt::format("{}, excess of returned power (greatest return {:.4f}, all bands, 0–85°)", material.name,
                              greatest),
          .expected = 0.0,
-         .measured = std::max(0.0, greatest - 1.0),
+         .measured = greatest <= 1.0 ? 0.0 : greatest - 1.0,
          .tolerance = 1e-3,
          .unit = "1",
          .source = "conservation of energy"});

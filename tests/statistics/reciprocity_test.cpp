@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "keep_worst.h"
 #include "statistics/every_material.h"
 #include "validation/validation_record.h"
 
@@ -48,11 +49,11 @@ double departure_from_transpose(const Matrix& there, const Matrix& back) {
   double largest = 0.0, difference = 0.0;
   for (std::size_t q = 0; q < 2; ++q) {
     for (std::size_t p = 0; p < 2; ++p) {
-      largest = std::max(largest, std::abs(there[q][p]));
-      difference = std::max(difference, std::abs(there[q][p] - back[p][q]));
+      keep_worst(largest, std::abs(there[q][p]));
+      keep_worst(difference, std::abs(there[q][p] - back[p][q]));
     }
   }
-  return largest > 0.0 ? difference / largest : difference;
+  return largest == 0.0 ? difference : difference / largest;
 }
 
 Vec3f hemisphere_direction(Vec3f normal, std::uint64_t key) {
@@ -81,7 +82,7 @@ Worst worst_departure(const Model& model) {
     const scatter::PhaseDraw draw{unit_float(hashed(i, 8)), unit_float(hashed(i, 9))};
     const Matrix there = scattering_matrix(model, a, b, normal, draw);
     const Matrix back = scattering_matrix(model, b, a, normal, draw);
-    worst.departure = std::max(worst.departure, departure_from_transpose(there, back));
+    keep_worst(worst.departure, departure_from_transpose(there, back));
     if (std::abs(there[0][0]) + std::abs(there[1][1]) > 0.0) ++worst.answered;
   }
   return worst;
@@ -198,7 +199,7 @@ TEST(Reciprocity, OfTwoBouncesOffAnyTwoMaterials) {
         radar);
     if (std::norm(there[0][0]) + std::norm(there[1][1]) < 1e-12) continue;
     ++answered;
-    worst = std::max(worst, departure_from_transpose(there, back));
+    keep_worst(worst, departure_from_transpose(there, back));
   }
   validation::expect_close({.group = "Reciprocity",
                             .name = "two bounces off any two materials at 5.405 GHz, largest |S − S'ᵀ| of their "

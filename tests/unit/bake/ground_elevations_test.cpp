@@ -118,7 +118,7 @@ TEST(GroundElevations, EveryMaterialIsReadAsItIs) {
           read.true_hh(radians_from_deg(degrees + beside_deg)) / read.true_hh(radians_from_deg(degrees - beside_deg));
       if (material.name.starts_with("billingsley") && std::abs(db_from_linear(change)) > 0.5) continue;
       const double away_db = std::abs(read.error_db(radians_from_deg(degrees)));
-      if (away_db > worst_db) {
+      if (!(away_db <= worst_db)) {
         worst_db = away_db;
         worst_deg = degrees;
       }

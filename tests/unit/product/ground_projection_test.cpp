@@ -175,10 +175,25 @@ TEST(GroundMap, BinsThatGoRoundLeaveNoSeam) {
                 .first_azimuth_rad = radians_from_deg(20.0),
                 .azimuth_step_rad = 2.0 * pi / 72.0,
                 .azimuths = 72};
-  image.rcs_m2 = Array2D<Channels>(72, 60, {1, 1, 1, 1});
+  const auto rcs_m2 = [](double azimuth_rad) { return 1.0 + 0.5 * std::cos(azimuth_rad - radians_from_deg(40.0)); };
+  image.rcs_m2 = Array2D<Channels>(72, 60);
+  for (std::size_t beam = 0; beam < 72; ++beam) {
+    const double azimuth_rad =
+        image.grid.first_azimuth_rad + (static_cast<double>(beam) + 0.5) * image.grid.azimuth_step_rad;
+    for (std::size_t range = 0; range < 60; ++range)
+      image.rcs_m2(beam, range).vv = static_cast<float>(rcs_m2(azimuth_rad));
+  }
   const radar::GroundGrid grid{.west_m = -90, .north_m = 90, .cell_m = 3.0, .columns = 60, .rows = 60};
   const radar::GroundMap map = ground_map(image, plane(0, 0), grid);
-  for (const Channels& cell : map.sigma0.values()) ASSERT_GT(cell.vv, 0.0F);
+  for (std::size_t row = 0; row < grid.rows; ++row) {
+    for (std::size_t column = 0; column < grid.columns; ++column) {
+      const Vec2d place = grid.centre_of(column, row);
+      // On level ground a bin is r Δr Δφ large.
+      const double bin_m2 = std::hypot(length(place), 200.0) * image.grid.range_step_m * image.grid.azimuth_step_rad;
+      ASSERT_NEAR(static_cast<double>(map.sigma0(column, row).vv) * bin_m2, rcs_m2(std::atan2(place.x, place.y)), 0.01)
+          << column << ", " << row;
+    }
+  }
 }
 
 }  // namespace

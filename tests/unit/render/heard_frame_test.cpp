@@ -381,10 +381,13 @@ TEST_F(HeardBins, WhatLiesBeyondTheUnambiguousRangeFoldsIntoTheGate) {
   radar_.waveform.pulse_length_s = 1e-7;
   radar_.atmosphere_per_m = 1e-5;
   for (const std::size_t range : {3U, 24U, 47U}) put(10, range);
-  EXPECT_LT(heard_as_offline(), 22 * grid_.azimuths + 1);
+  // 20 ranges, and one at either end of which maps read, but for those that the pulse eclipses.
+  const std::size_t heard = heard_as_offline();
+  EXPECT_GE(heard, 18 * grid_.azimuths);
+  EXPECT_LE(heard, 22 * grid_.azimuths);
   radar_.receiver.first_range_m = 3510.0;
   put(4, 7);  // before the gate: a pulse later it is in it
-  heard_as_offline();
+  EXPECT_GE(heard_as_offline(), 18 * grid_.azimuths);
 }
 
 TEST_F(HeardBins, AFrameBeyondAGateIsNotHeardAtAll) {

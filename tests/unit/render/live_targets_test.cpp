@@ -334,6 +334,7 @@ double sum_of(const std::vector<float>& numbers) {
 struct Taken {
   double power_m2 = 0.0;
   std::size_t bins = 0, brighter = 0;
+  std::vector<double> of_bin_m2 = {};
 };
 
 Taken taken_away(const std::vector<float>& without, const std::vector<float>& with) {
@@ -341,6 +342,7 @@ Taken taken_away(const std::vector<float>& without, const std::vector<float>& wi
   for (std::size_t bin = 0; bin < with.size(); ++bin) {
     if (with[bin] != without[bin]) ++result.bins;
     if (with[bin] > without[bin]) ++result.brighter;
+    result.of_bin_m2.push_back(static_cast<double>(without[bin]) - static_cast<double>(with[bin]));
   }
   return result;
 }
@@ -392,6 +394,19 @@ TEST_F(LiveTargetsTest, ABoxDarkensItsShadowAndNothingElse) {
   const double covered = (size.y * far_m / near_m / 8.0 + 3.0) * ((far_m - near_m) / 8.0 + 3.0);
   EXPECT_LE(static_cast<double>(live.bins), covered);
   EXPECT_GE(static_cast<double>(live.bins), 0.7 * covered);
+  // They lie where the shadow is, to a bin.
+  const auto middle = static_cast<double>(view.beams) / 2.0;
+  const Pose pose = view.pose();
+  const LiveSettings bins = view.settings(FrameContent::Powers);
+  for (std::size_t bin = 0; bin < open.size(); ++bin) {
+    if (open[bin] == shaded[bin]) continue;
+    const double range_m = pose.first_range_m + (static_cast<double>(bin % view.ranges) + 0.5) * bins.range_step_m;
+    const double away_m = std::sqrt(range_m * range_m - radar.z * radar.z);
+    const double aside_m = (static_cast<double>(bin / view.ranges) + 0.5 - middle) * bins.beam_step_rad * away_m;
+    EXPECT_GT(away_m, near_m - 12.0) << bin;
+    EXPECT_LT(away_m, far_m + 12.0) << bin;
+    EXPECT_LT(std::abs(aside_m), 0.5 * size.y * away_m / near_m + 12.0) << bin;
+  }
 }
 
 TEST_F(LiveTargetsTest, ABoxFarOverTheEarthShadesByItsOwnHorizontal) {
@@ -442,6 +457,10 @@ TEST_F(LiveTargetsTest, ShadowsAreThoseOfTheOfflineMap) {
                                      offline_powers(targets, *store_, example.terrain(), view));
     EXPECT_GT(offline.power_m2, 0.0);
     EXPECT_NEAR(live.power_m2 / offline.power_m2, 1.0, 0.04) << azimuth_deg;
+    double elsewhere_m2 = 0.0;
+    for (std::size_t bin = 0; bin < live.of_bin_m2.size(); ++bin)
+      elsewhere_m2 += std::abs(live.of_bin_m2[bin] - offline.of_bin_m2[bin]);
+    EXPECT_LT(elsewhere_m2, 0.2 * offline.power_m2) << azimuth_deg;
   }
 }
 

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "frame_numbers.h"
+#include "keep_worst.h"
 #include "live_ground_example.h"
 #include "terrain_short_of_tiles.h"
 #include "unit/terrain/round_hills.h"
@@ -123,8 +124,8 @@ TEST(LiveTerrainSlopes, AreThoseOfRoundHillsUnderEveryTexel) {
         const Vec2d expected = hills.slope_at(texels.centre_of(column, row));
         const terrain::PackedSlope found = slopes[row * texels.columns + column];
         constexpr auto per_unit = static_cast<double>(terrain::PackedSlope::steps_per_unit);
-        worst = std::max(
-            {worst, std::abs(found.east / per_unit - expected.x), std::abs(found.north / per_unit - expected.y)});
+        keep_worst(worst, std::abs(found.east / per_unit - expected.x));
+        keep_worst(worst, std::abs(found.north / per_unit - expected.y));
       }
     }
     // Packed once more.
