@@ -80,11 +80,9 @@ void warn_of_recording(const radar::Radar& radar, const radar::Rectangle& area, 
 }
 
 /// What is made of an atlas alone knows no leaves.
-std::string still_leaves() {
-  return "has wind, which moves leaves of a scene, and these are of an atlas alone: their leaves hang still; record "
-         "them "
-         "with the command line, or state no wind_mps";
-}
+constexpr const char* still_leaves =
+    "has wind, which moves leaves of a scene, and these are of an atlas alone: their leaves hang still; record them "
+    "with the command line, or state no wind_mps";
 
 /// Of a recording `recorded_s` is how long it is to be, which follows from the radar's mode where it is left out.
 template <typename Signal>
@@ -102,7 +100,7 @@ Described<Signal> made(Maker<Signal> make, UsualSpacing usual_spacing_m, const P
     const auto area = simulate::map_grid(asked.map, description.extent).extent();
     warn_of(radar, (has_cells ? simulate::map_warnings : simulate::area_warnings)(radar, asked.map, atlas.terrain(),
                                                                                   description.extent));
-    if (radar.wind_mps > 0.0) warn_of(radar, std::array{still_leaves()});
+    if (radar.wind_mps > 0.0) warn_of(radar, std::array<std::string, 1>{still_leaves});
     const auto targets =
         simulate::all_targets(nullptr, given, description.frame, atlas.terrain(), settings.seed, time_s);
     if constexpr (!has_cells) {

@@ -421,11 +421,14 @@ void LiveRenderer::find_visible_ground(const FrameViews& there, const Pose& pose
     // Where beams go round, those beside the first are the last, and the other way round.
     if (!radar::goes_round(settings_.beams, settings_.beam_step_rad) || beams.first == beams.end) continue;
     const std::size_t last = settings_.beams;
-    const std::size_t before_first = std::min(beams_beside_ - std::min(beams.first, beams_beside_), last);
-    const std::size_t after_last = beams.end + beams_beside_ - std::min(beams.end + beams_beside_, last);
-    if (before_first > 0 && end <= last)
+    if (beams.first < beams_beside_ && end <= last) {
+      const std::size_t before_first = std::min(beams_beside_ - beams.first, last);
       find_along_edges(pose, which, {std::max(last - before_first, end - 1), last + 1});
-    if (after_last > 0 && first_edge > 0) find_along_edges(pose, which, {0, std::min(after_last, first_edge) + 1});
+    }
+    if (beams.end + beams_beside_ > last && first_edge > 0) {
+      const std::size_t after_last = beams.end + beams_beside_ - last;
+      find_along_edges(pose, which, {0, std::min(after_last, first_edge) + 1});
+    }
   }
 }
 

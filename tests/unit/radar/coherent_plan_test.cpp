@@ -35,6 +35,11 @@ Vec3d place_at(double squint_deg) {
   return {10e3 * std::sin(squint), 10e3 * std::cos(squint), 0.0};
 }
 
+/// What keeps a radar from mapping what lies abeam; nothing where it can.
+std::string refusal_of(const Radar& radar) {
+  return message_of_error([&] { static_cast<void>(coherent_plan(radar, place_at(90.0))); });
+}
+
 constexpr double cells = 0.8859;
 
 TEST(CoherentPlan, IntervalsGiveTheWantedResolution) {
@@ -57,18 +62,18 @@ TEST(CoherentPlan, IntervalsGiveTheWantedResolution) {
 
 TEST(CoherentPlan, WhatContradictsItselfOrMeansNothingIsRefused) {
   Radar radar = flying_north(Mode::Spotlight);
-  const auto fault = [&] { return message_of_error([&] { static_cast<void>(coherent_plan(radar, place_at(90.0))); }); };
   radar.processing.along_resolution_m = 0.75;
-  EXPECT_EQ(fault(), "");
+  EXPECT_EQ(refusal_of(radar), "");
   radar.processing.interval_s = 0.1;
-  EXPECT_THAT(fault(), HasSubstr("has interval_s and along_resolution_m, which say the same thing; leave out one"));
+  EXPECT_THAT(refusal_of(radar),
+              HasSubstr("has interval_s and along_resolution_m, which say the same thing; leave out one"));
   radar.processing.along_resolution_m.reset();
-  EXPECT_EQ(fault(), "");
+  EXPECT_EQ(refusal_of(radar), "");
   radar.processing.sharpening = 48.0;
-  EXPECT_THAT(fault(), HasSubstr("has sharpening, which means nothing in its mode"));
+  EXPECT_THAT(refusal_of(radar), HasSubstr("has sharpening, which means nothing in its mode"));
   radar.processing.sharpening.reset();
   radar.mode = Mode::Stripmap;
-  EXPECT_THAT(fault(), HasSubstr("has interval_s, which means nothing in its mode"));
+  EXPECT_THAT(refusal_of(radar), HasSubstr("has interval_s, which means nothing in its mode"));
 }
 
 /// Level ground 10 km away, so far off the nose on the map and seen at this depression from the origin.
@@ -168,33 +173,30 @@ TEST(CoherentPlan, StraightAheadIsRefusedHoweverSteeplyItLooks) {
 
 /// A wavelength of 1 m, which an even window resolves to more than 0.2215 m.
 TEST(CoherentPlan, NoIntervalResolvesLessThanAllSidesGive) {
-  const auto refused = [](const Radar& radar) {
-    return message_of_error([&] { static_cast<void>(coherent_plan(radar, place_at(90.0))); });
-  };
   Radar radar = flying_north(Mode::Spotlight);
   radar.frequency_hz = speed_of_light_mps;
   radar.processing.along_resolution_m = 0.1;
-  EXPECT_EQ(refused(radar),
+  EXPECT_EQ(refusal_of(radar),
             "radar: cannot map to 0.1 m across range at a wavelength of 1 m, however long it flies past; "
             "give mode.along_resolution_m of more than 0.222");
   radar.processing.along_resolution_m = 0.222;
-  EXPECT_EQ(refused(radar), "");
+  EXPECT_EQ(refusal_of(radar), "");
   radar.processing.looks = 3;
-  EXPECT_THAT(refused(radar), ::testing::EndsWith("give mode.along_resolution_m of more than 0.665 or fewer looks"));
+  EXPECT_THAT(refusal_of(radar), ::testing::EndsWith("give mode.along_resolution_m of more than 0.665 or fewer looks"));
 
   radar.processing = {};
   radar.processing.interval_s = 1000.0;
-  EXPECT_THAT(refused(radar), ::testing::EndsWith("give mode.interval_s of less than 100"));
+  EXPECT_THAT(refusal_of(radar), ::testing::EndsWith("give mode.interval_s of less than 100"));
   radar.processing.interval_s = 99.9;
-  EXPECT_EQ(refused(radar), "");
+  EXPECT_EQ(refusal_of(radar), "");
 
   // 349 m of beam over 0.2215 m.
   radar = flying_north(Mode::DopplerBeamSharpening);
   radar.frequency_hz = speed_of_light_mps;
   radar.processing.sharpening = 5000.0;
-  EXPECT_THAT(refused(radar), ::testing::EndsWith("give mode.sharpening of less than 1570"));
+  EXPECT_THAT(refusal_of(radar), ::testing::EndsWith("give mode.sharpening of less than 1570"));
   radar.processing.sharpening = 1570.0;
-  EXPECT_EQ(refused(radar), "");
+  EXPECT_EQ(refusal_of(radar), "");
 }
 
 /// At 1000 Hz and 45° off the nose, 30 km · 0.8859/(2 · 200 · T · sin 45°).
@@ -215,51 +217,46 @@ TEST(CoherentPlan, EveryLookHasAsManyWholePulses) {
 
 TEST(CoherentPlan, LooksWithoutPulsesAreRefusedByTheKeysThatGiveThem) {
   Radar radar = flying_north(Mode::Spotlight);
-  const auto refused = [&] {
-    return message_of_error([&] { static_cast<void>(coherent_plan(radar, place_at(90.0))); });
-  };
   radar.processing.interval_s = 0.01;
   radar.processing.looks = 100;
-  EXPECT_EQ(refused(),
+  EXPECT_EQ(refusal_of(radar),
             "radar: has 10 pulses in an interval of 0.01 s, at a pulse repetition frequency of 1000 Hz, and 100 looks, "
             "each of which takes one; give mode.interval_s of at least 0.1, fewer mode.looks or a higher "
             "waveform.pulse_repetition_hz");
   radar.processing.interval_s = 0.1;
-  EXPECT_EQ(refused(), "");
+  EXPECT_EQ(refusal_of(radar), "");
   radar.processing.interval_s = 0.001;
   radar.processing.looks = 1;
-  EXPECT_THAT(refused(), HasSubstr("has 1 pulse in an interval of 0.001 s, at a pulse repetition frequency of 1000 Hz, "
-                                   "and Doppler takes two; give mode.interval_s of at least 0.002 or a higher"));
+  EXPECT_THAT(refusal_of(radar),
+              HasSubstr("has 1 pulse in an interval of 0.001 s, at a pulse repetition frequency of 1000 Hz, "
+                        "and Doppler takes two; give mode.interval_s of at least 0.002 or a higher"));
 
   // Of what follows from a resolution there are as few pulses a look whatever the looks.
   radar.waveform.pulse_repetition_hz = 1.0;
   radar.processing.interval_s.reset();
   radar.processing.along_resolution_m = 10.0;
   radar.processing.looks = 3;
-  EXPECT_THAT(refused(), ::testing::EndsWith("give mode.along_resolution_m of at most 0.664 or a higher "
-                                             "waveform.pulse_repetition_hz"));
+  EXPECT_THAT(refusal_of(radar), ::testing::EndsWith("give mode.along_resolution_m of at most 0.664 or a higher "
+                                                     "waveform.pulse_repetition_hz"));
   radar.processing.along_resolution_m = 0.664;
-  EXPECT_EQ(refused(), "");
+  EXPECT_EQ(refusal_of(radar), "");
   radar.mode = Mode::DopplerBeamSharpening;
   radar.processing.along_resolution_m.reset();
-  const std::string message = refused();
+  const std::string message = refusal_of(radar);
   ASSERT_THAT(message, HasSubstr("give mode.sharpening of at least "));
   radar.processing.sharpening = std::stod(message.substr(message.find("at least ") + 9));
-  EXPECT_EQ(refused(), "");
+  EXPECT_EQ(refusal_of(radar), "");
 }
 
 TEST(CoherentPlan, WhatWouldTakeHoursIsRefusedByTheKeysThatMakeItLong) {
   Radar radar = flying_north(Mode::Spotlight);
   radar.velocity_mps = {0.0, 0.001, 0.0};
-  const auto refused = [&] {
-    return message_of_error([&] { static_cast<void>(coherent_plan(radar, place_at(90.0))); });
-  };
   // 0.8859 · 0.03 m · 10 km/(2 · 0.001 m/s · 2 m).
-  EXPECT_EQ(refused(),
+  EXPECT_EQ(refusal_of(radar),
             "radar: takes 6.64e+04 s to tell apart 2 m across range at 0.001 m/s; give a higher "
             "platform.speed_mps, or give mode.along_resolution_m of more than 13.3");
   radar.processing.along_resolution_m = 13.3;
-  EXPECT_EQ(refused(), "");
+  EXPECT_EQ(refusal_of(radar), "");
 }
 
 TEST(CoherentPlan, WarnsOfLooksOfFewPulses) {
@@ -328,20 +325,17 @@ TEST(CoherentPlan, GroundAnswersInTheOutermostCellsAsFarAsTheyReachInDoppler) {
 TEST(CoherentPlan, AStripsBandIsNoWiderThanPulsesKnowDoppler) {
   Radar radar = flying_north(Mode::Stripmap);
   radar.range_resolution_m = 0.1;
-  const auto refused = [&] {
-    return message_of_error([&] { static_cast<void>(coherent_plan(radar, place_at(90.0))); });
-  };
   radar.waveform.pulse_repetition_hz = 466.0;
-  EXPECT_EQ(refused(), "");
+  EXPECT_EQ(refusal_of(radar), "");
   radar.waveform.pulse_repetition_hz = 400.0;
-  EXPECT_EQ(refused(),
+  EXPECT_EQ(refusal_of(radar),
             "radar: maps a strip to 0.381 m along the flight from a Doppler band of 465.4 Hz, wider than the pulse "
             "repetition frequency of 400 Hz, up to which pulses know Doppler; give mode.along_resolution_m of at least "
             "0.443 or waveform.pulse_repetition_hz of at least 466");
   radar.processing.along_resolution_m = 0.443;
-  EXPECT_EQ(refused(), "");
+  EXPECT_EQ(refusal_of(radar), "");
   radar.processing.looks = 2;
-  EXPECT_THAT(refused(), HasSubstr("with 2 looks"));
+  EXPECT_THAT(refusal_of(radar), HasSubstr("with 2 looks"));
 }
 
 TEST(CoherentPlan, AStripHasPulsesForItsLooks) {
@@ -349,20 +343,17 @@ TEST(CoherentPlan, AStripHasPulsesForItsLooks) {
   Radar radar = flying_north(Mode::Stripmap);
   radar.processing.along_resolution_m = 100.0;
   radar.processing.looks = 4;
-  const auto refused = [&] {
-    return message_of_error([&] { static_cast<void>(coherent_plan(radar, place_at(90.0))); });
-  };
   radar.waveform.pulse_repetition_hz = 100.0;
   EXPECT_EQ(
-      refused(),
+      refusal_of(radar),
       "radar: has 2.66 pulses in an interval of 0.0266 s, at a pulse repetition frequency of 100 Hz, and 4 looks, "
       "each of which takes one; give mode.along_resolution_m of at most 66.4 or a higher "
       "waveform.pulse_repetition_hz");
   radar.processing.along_resolution_m = 66.4;
-  EXPECT_EQ(refused(), "");
+  EXPECT_EQ(refusal_of(radar), "");
   radar.processing.along_resolution_m = 100.0;
   radar.waveform.pulse_repetition_hz = 151.0;
-  EXPECT_EQ(refused(), "");
+  EXPECT_EQ(refusal_of(radar), "");
   const Rectangle area{9000.0, -1000.0, 11000.0, 1000.0};
   EXPECT_THAT(plan_warnings(radar, coherent_plan(radar, place_at(90.0)), area, 0.0),
               ::testing::Contains(HasSubstr("each look has 1 pulse, too few for the resolution of 100 m along the "
@@ -450,7 +441,7 @@ TEST(CoherentPlan, AStripsFixedBeamThatNeverSeesWhatItMapsIsRefused) {
   Radar radar = flying_north(Mode::Stripmap);
   const auto refused = [&](double azimuth_deg) {
     radar.scan = {.kind = ScanKind::Fixed, .azimuth_rad = radians_from_deg(azimuth_deg)};
-    return message_of_error([&] { static_cast<void>(coherent_plan(radar, place_at(90.0))); });
+    return refusal_of(radar);
   };
   EXPECT_EQ(refused(270.0),
             "radar: points the beam of its strip to the left of its course, and what it maps lies to the right; "
