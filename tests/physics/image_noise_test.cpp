@@ -10,6 +10,7 @@
 #include "sigmascape/product/slant_projection.h"
 #include "sigmascape/radar/noise.h"
 #include "sigmascape/radar/radar_equation.h"
+#include "sigmascape/receiver/calibrated_voltage.h"
 #include "sigmascape/simulate/coherent.h"
 
 namespace sigmascape {
@@ -49,6 +50,7 @@ double mean_of_rows(const Array2D<radar::ComplexChannels>& bins, std::size_t fir
 TEST(ImageNoise, is_what_one_pulse_has_over_the_pulses) {
   const auto terrain = level_terrain(1000.0);
   auto radar = looking_north_in(radar::Mode::Spotlight);
+  radar.antenna.azimuth = radar::EvenBeam{};
   radar.processing.thermal_noise = true;
   const auto image = simulate::range_doppler_image({&terrain, even_in_all_channels(0.0F)}, radar,
                                                    {-500.0, -500.0, 500.0, 500.0}, {.interval_s = 0.2, .seed = 3});
@@ -183,7 +185,105 @@ TEST(ImageNoise, of_a_climbing_strip_is_that_of_where_it_is_passed) {
                             noise_db(climbing) - noise_db(level), 0.2, "dB", "the same geometry"});
 }
 
-/// With all that an image can have in it, the bytes are those of one thread for any number of them.
+/// A beam of 4° on a place 20° down, or half a width above or below it; half a beam beside the axis of a spotlight.
+/// What is half as strong out and back is four times as far below the noise.
+TEST(ImageNoise, is_lifted_where_the_pattern_is_divided_out) {
+  const auto terrain = level_terrain(1000.0);
+  const simulate::CoherentScene nothing{&terrain, even_in_all_channels(0.0F)};
+  const auto noise_about = [&](const radar::Radar& radar, double east_m) {
+    const radar::Rectangle area{-300.0, -40.0, 300.0, 40.0};
+    const simulate::CoherentSettings settings{.interval_s = 0.2, .along_resolution_m = 4.0};
+    Array2D<radar::ComplexChannels> bins;
+    Vec2d place;
+    if (radar.mode == radar::Mode::Stripmap) {
+      const auto image = simulate::stripmap_image(nothing, radar, area, settings);
+      place = image.place_of(Vec3d{east_m, 0.0, 0.0});
+      bins = image.amplitude_m;
+    } else {
+      const auto image = simulate::range_doppler_image(nothing, radar, area, settings);
+      place = image.place_of(Vec3d{east_m, 0.0, 0.0});
+      bins = image.amplitude_m;
+    }
+    double sum = 0.0;
+    const auto column = static_cast<std::size_t>(place.x), row = static_cast<std::size_t>(place.y);
+    for (std::size_t r = row - 2; r <= row + 2; ++r) {
+      for (std::size_t c = column - 1; c <= column + 1; ++c) sum += static_cast<double>(std::norm(bins(c, r).vv));
+    }
+    return sum;
+  };
+  for (const auto& [mode, name] : {std::pair{radar::Mode::Spotlight, "spotlight"},
+                                   {radar::Mode::DopplerBeamSharpening, "sharpened image"},
+                                   {radar::Mode::Stripmap, "strip"}}) {
+    for (const double tilt_deg : {-20.0, -18.0, -22.0}) {
+      radar::Radar radar = looking_north_in(mode);
+      radar.processing.thermal_noise = true;
+      const double on_axis = noise_about(radar, 0.0);
+      radar.antenna.elevation = radar::GaussianBeam{};
+      radar.antenna.elevation_width_rad = radians_from_deg(4.0);
+      radar.antenna.tilt_rad = radians_from_deg(tilt_deg);
+      validation::expect_close({image_noise_group,
+                                fmt::format("noise of a {} 20° down, beam of 4° tilted by {}°", name, tilt_deg),
+                                tilt_deg == -20.0 ? 0.0 : 6.02, db_from_linear(noise_about(radar, 0.0) / on_axis), 0.05,
+                                "dB", "half power, out and back"});
+      radar.processing.antenna_pattern = true;
+      EXPECT_NEAR(noise_about(radar, 0.0) / on_axis, 1.0, 1e-6) << name << " with the pattern left in";
+    }
+  }
+  const double half_beam_m = 8000.0 * std::cos(radians_from_deg(20.0)) * std::tan(0.025);
+  for (const double east_m : {-half_beam_m, half_beam_m}) {
+    radar::Radar radar = looking_north_in(radar::Mode::Spotlight);
+    radar.processing.thermal_noise = true;
+    const double lifted = noise_about(radar, east_m);
+    radar.antenna.azimuth = radar::EvenBeam{};
+    validation::expect_close({image_noise_group, "noise of a spotlight half a beam off its axis", 6.02,
+                              db_from_linear(lifted / noise_about(radar, east_m)), 0.1, "dB",
+                              "half power, out and back"});
+    // Of a scan the axis passes over every place.
+    radar::Radar sharpened = looking_north_in(radar::Mode::DopplerBeamSharpening);
+    sharpened.processing.thermal_noise = true;
+    const double scanned = noise_about(sharpened, east_m);
+    sharpened.antenna.azimuth = radar::EvenBeam{};
+    EXPECT_NEAR(scanned / noise_about(sharpened, east_m), 1.0, 1e-6);
+  }
+}
+
+/// Pulses in volts have the noise of the receiver and the antenna in their echoes. What a processor makes of them,
+/// which adds up N under a window and divides by what 1 m² gives at a place, has the noise of the image.
+TEST(ImageNoise, off_the_axis_is_what_pulses_have) {
+  const auto terrain = level_terrain(1000.0);
+  const simulate::CoherentScene nothing{&terrain, even_in_all_channels(0.0F)};
+  radar::Radar radar = looking_north_in(radar::Mode::Spotlight);
+  radar.processing.thermal_noise = true;
+  radar.antenna.elevation = radar::GaussianBeam{};
+  radar.antenna.elevation_width_rad = radians_from_deg(4.0);
+  radar.antenna.tilt_rad = radians_from_deg(-17.0);
+  const radar::Rectangle area{-40.0, -40.0, 40.0, 40.0};
+  const simulate::CoherentSettings settings{.interval_s = 0.2, .seed = 5, .calibrated = true};
+  const auto pulses = simulate::phase_history(nothing, radar, area, settings);
+  double square_v2 = 0.0;
+  for (const auto& sample : pulses.samples.values()) square_v2 += static_cast<double>(std::norm(sample.vv));
+  square_v2 /= static_cast<double>(pulses.samples.size());
+  const Vec3d middle{};
+  const double voltage = static_cast<double>(receiver::calibrated_voltage(radar, receiver::towards(middle))(
+      {0.0, {radar.position, radar.velocity_mps}}, middle, 8000.0));
+  const double n_w = radar::WindowResponse(radar.waveform.window).noise_bandwidth();
+  const auto image = simulate::range_doppler_image(nothing, radar, area, settings);
+  const auto row = static_cast<std::size_t>(image.range_m.place_of(8000.0));
+  const auto column = static_cast<std::size_t>(image.place_of(middle).x);
+  double square_m2 = 0.0, count = 0.0;
+  for (std::size_t c = column - 20; c <= column + 20; ++c) {
+    for (std::size_t r = row - 10; r <= row + 10; ++r) {
+      const auto& bin = image.amplitude_m(c, r);
+      square_m2 += static_cast<double>(std::norm(bin.vv) + std::norm(bin.hh) + std::norm(bin.hv));
+      count += 3.0;
+    }
+  }
+  validation::expect_close({image_noise_group, "noise of a spotlight 3° under its axis, over that of its pulses", 0.0,
+                            db_from_linear(square_m2 / count / (square_v2 / (voltage * voltage) * n_w / 200.0)), 0.4,
+                            "dB", "volts of 1 m² there, N/n_w pulses"});
+}
+
+/// The bytes are those of one thread for any number of them, with the pattern in the image or its noise lifted.
 TEST(ImageNoise, and_all_else_does_not_depend_on_threads) {
   const auto terrain = level_terrain(1000.0);
   radar::Target mover;
@@ -198,7 +298,8 @@ TEST(ImageNoise, and_all_else_does_not_depend_on_threads) {
     radar.wind_mps = 7.0;
     radar.antenna.azimuth = radar::ApertureBeam{{.shape = radar::WindowShape::Rectangular}};
     radar.waveform.pulse_repetition_hz = 400.0;
-    radar.processing.antenna_pattern = radar.processing.thermal_noise = true;
+    radar.processing.thermal_noise = true;
+    radar.processing.antenna_pattern = mode == radar::Mode::Stripmap;
     const radar::Rectangle area{-100.0, -100.0, 100.0, 100.0};
     const auto image_by = [&](unsigned threads) {
       const simulate::CoherentSettings settings{

@@ -1,5 +1,6 @@
 #include "sigmascape/receiver/doppler_imager.h"
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <utility>
@@ -26,12 +27,30 @@ ResponseAxis doppler_axis(const CoherentInterval& interval) {
   return {.bins = fast_length(bins), .band = interval.pulses, .window = interval.window, .periodic = true};
 }
 
+/// The place that answers in the middle of a bin, on level ground as high as `aim` and on that side of the course:
+/// Doppler is the speed along the line of sight. Before the ground and beyond the course the nearest that does.
+Vec3d ground_in(const radar::RangeDopplerImage& frame, Vec3d aim, std::size_t column, std::size_t row) {
+  const auto& [position, velocity] = frame.platform;
+  const double range_m = frame.range_m.middle_of(static_cast<double>(row) + 0.5);
+  const double closing_mps =
+      0.5 * wavelength_m(frame.frequency_hz) * frame.doppler_hz.middle_of(static_cast<double>(column) + 0.5);
+  const double sine = std::clamp((aim.z - position.z) / range_m, -1.0, 1.0), cosine = std::sqrt(1.0 - sine * sine);
+  const double speed_mps = std::hypot(velocity.x, velocity.y);
+  if (!(speed_mps * cosine > 0.0)) return position + Vec3d{0.0, cosine, sine} * range_m;
+  const double ahead = std::clamp((closing_mps - velocity.z * sine) / (speed_mps * cosine), -1.0, 1.0);
+  const Vec2d course = Vec2d{velocity.x, velocity.y} * (1.0 / speed_mps);
+  const double side = cross(course, Vec2d{aim.x - position.x, aim.y - position.y}) < 0.0 ? -1.0 : 1.0;
+  const Vec2d direction = course * ahead + Vec2d{-course.y, course.x} * (side * std::sqrt(1.0 - ahead * ahead));
+  return position + Vec3d{direction.x * cosine, direction.y * cosine, sine} * range_m;
+}
+
 }  // namespace
 
 DopplerImager::DopplerImager(const radar::Radar& radar, const radar::Track& platform, const CoherentInterval& interval,
                              const RangeGate& gate, Vec3d aim, VoltageGain gain)
     : interval_(interval),
       range_(gated_axis(radar, gate)),
+      aim_(aim),
       gain_(std::move(gain)),
       plane_(doppler_axis(interval), range_.axis) {
   frame_.platform = {platform.position_at(interval.middle_time_s), platform.velocity_at(interval.middle_time_s)};
@@ -104,6 +123,11 @@ void DopplerImager::add(const EquivalentNoise& noise) {
                   return noise.rcs_m2(range_m.middle_of(static_cast<double>(row) + 0.5), pulses, bandwidth);
                 },
             .seed = noise.seed()};
+  if (!noise.is_lifted()) return;
+  noise_.lift = [noise, frame = frame_, aim = aim_, time_s = interval_.middle_time_s](std::size_t column,
+                                                                                      std::size_t row) {
+    return noise.lift({time_s, frame.platform}, ground_in(frame, aim, column, row));
+  };
 }
 
 radar::RangeDopplerImage DopplerImager::image(const Subband& part, unsigned threads) const {

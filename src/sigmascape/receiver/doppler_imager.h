@@ -42,7 +42,7 @@ class DopplerImager {
 
   void add(std::span<const radar::Scatterer> ground, unsigned threads = 0);
   void add(std::span<const radar::Target> targets);
-  /// Thermal noise, in place of what there was of it.
+  /// Thermal noise, in place of what there was of it; lifted as on level ground in the height of the image's middle.
   void add(const EquivalentNoise& noise);
 
   /// All pulses as one look, or one of several that have equal parts of them: each has speckle and noise of its own,
@@ -55,6 +55,7 @@ class DopplerImager {
 
   CoherentInterval interval_;
   GatedAxis range_;
+  Vec3d aim_;
   VoltageGain gain_;
   radar::RangeDopplerImage frame_;  // without bins
   ResponsePlane plane_;

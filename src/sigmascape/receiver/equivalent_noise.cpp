@@ -1,5 +1,8 @@
 #include "sigmascape/receiver/equivalent_noise.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "sigmascape/base/hash.h"
 #include "sigmascape/radar/noise.h"
 #include "sigmascape/radar/radar_equation.h"
@@ -17,6 +20,13 @@ std::uint64_t noise_seed(std::uint64_t seed, std::uint64_t dwell, radar::Polariz
 
 double EquivalentNoise::rcs_m2(double range_m, double pulses, double noise_bandwidth) const {
   return noise_bandwidth / (radar::signal_to_noise(radar_, 1.0, range_m) * pulses);
+}
+
+double EquivalentNoise::lift(const radar::Pulse& pulse, Vec3d position) const {
+  constexpr double least_voltage = 1e-3;
+  if (!divided_out_) return 1.0;
+  const auto voltage = static_cast<double>(divided_out_(pulse, position, length(position - pulse.platform.position)));
+  return 1.0 / std::pow(std::max(std::abs(voltage), least_voltage), 2.0);
 }
 
 }  // namespace sigmascape::receiver

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "sigmascape/base/error.h"
+#include "sigmascape/base/parallel.h"
 
 namespace sigmascape::receiver {
 
@@ -19,12 +20,14 @@ Array2D<radar::ComplexChannels> noisy_rows(const ResponsePlane& plane, const Row
   for (std::size_t row = 0; row < count; ++row) std::ranges::copy(all.row(first + row), rows.row(row).begin());
   if (!noise.power) return rows;
   const auto unit_noise = plane.noise(noise.seed, subband, threads);
-  for (std::size_t row = 0; row < count; ++row) {
+  parallel_for(count, threads, [&](std::size_t row, unsigned) {
     // A look adds up fewer pulses.
     const auto amplitude = static_cast<float>(std::sqrt(noise.power(row) * plane.cells_of_a_look(subband.looks)));
-    for (std::size_t column = 0; column < rows.columns(); ++column)
-      rows(column, row) += unit_noise(column, first + row) * amplitude;
-  }
+    for (std::size_t column = 0; column < rows.columns(); ++column) {
+      const float lifted = noise.lift ? static_cast<float>(std::sqrt(noise.lift(column, row))) : 1.0F;
+      rows(column, row) += unit_noise(column, first + row) * (amplitude * lifted);
+    }
+  });
   return rows;
 }
 

@@ -15,6 +15,8 @@ namespace sigmascape::receiver {
 struct RowNoise {
   std::function<double(std::size_t row)> power = {};
   std::uint64_t seed = 1;
+  /// By how much that is lifted in a bin; without a function by nothing. Called from several threads at once.
+  std::function<double(std::size_t column, std::size_t row)> lift = {};
 };
 
 /// Rows `first` … `first + count − 1` of the plane, of a part of the band over columns, with noise. `row` of the noise

@@ -178,6 +178,12 @@ double StripmapImager::noise_lift(double closest_m) const {
   return lift;
 }
 
+/// A place at this slant range on the ground of the strip's middle, wherever around the platform.
+Vec3d StripmapImager::ground_beside(double range_m) const {
+  const double below_m = std::min(range_m, height_over_middle_m());
+  return frame_.platform.position + Vec3d{std::sqrt(range_m * range_m - below_m * below_m), 0.0, -below_m};
+}
+
 std::vector<AzimuthAmbiguity> StripmapImager::ambiguities() const {
   constexpr double least_power = 1e-6;
   constexpr int parts = 64;
@@ -288,7 +294,8 @@ void StripmapImager::add(const EquivalentNoise& noise) {
   for (std::size_t row = 0; row < powers.size(); ++row) {
     const double closest_m = frame_.closest_range_m.middle_of(static_cast<double>(row) + 0.5);
     const double range_m = closest_m / cosine;
-    powers[row] = noise.rcs_m2(range_m, pulses_a_metre * range_m, response_.noise_bandwidth()) * noise_lift(closest_m);
+    powers[row] = noise.rcs_m2(range_m, pulses_a_metre * range_m, response_.noise_bandwidth()) * noise_lift(closest_m) *
+                  noise.lift({0.0, frame_.platform}, ground_beside(range_m));
   }
   noise_ = {.power = [powers = std::move(powers)](std::size_t row) { return powers[row]; }, .seed = noise.seed()};
 }

@@ -64,7 +64,7 @@ class StripmapImager {
   /// as weak as the beam leaves them and folded as the pulses fold them, with order 0 the brightest of their images.
   void add(std::span<const radar::Scatterer> ground, unsigned threads = 0, int order = 0);
   void add(std::span<const radar::Target> targets, int order = 0);
-  /// Thermal noise, in place of what there was of it.
+  /// Thermal noise, in place of what there was of it; lifted as on level ground.
   void add(const EquivalentNoise& noise);
 
   /// All pulses as one look, or one of several that have equal parts of them: each has speckle and noise of its own,
@@ -79,6 +79,7 @@ class StripmapImager {
   [[nodiscard]] Fold fold_of(int order, double part_of_band) const;
   [[nodiscard]] double ghost_voltage(const Fold& fold, double sine_depression) const;
   [[nodiscard]] double noise_lift(double closest_m) const;
+  [[nodiscard]] Vec3d ground_beside(double range_m) const;
   [[nodiscard]] double height_over_ground_m(double along_m) const;
   [[nodiscard]] double height_over_middle_m() const;
   [[nodiscard]] double nearest_ground_m() const;

@@ -197,20 +197,18 @@ CoherentSettings spaced(CoherentSettings settings, double spacing_m) {
 }
 
 /// Those of which something is seen when they are looked at, in the straight space under the radar.
-std::vector<radar::Target> targets_seen(const CoherentScene& scene, const radar::Radar& radar,
-                                        const radar::Vantage& vantage) {
+std::vector<radar::Target> targets_heard(const CoherentScene& scene, const radar::Radar& radar,
+                                         const radar::Vantage& vantage) {
   if (scene.targets.empty()) return {};
   const Surroundings surroundings{*scene.terrain, obstacles_of(scene.sigma0), radar::earth_of(radar)};
-  std::vector<radar::Target> seen;
-  for (const radar::Target& target : scene.targets) {
-    const double time_s = vantage.time_s_for(target);
-    const Vec3d position = target.track.position_at(time_s);
-    const double part = part_seen(surroundings, vantage.place_for({position.x, position.y}), position);
-    if (!(part > 0.0)) continue;
-    seen.push_back(radar::bent(radar::weakened(target, part), radar::earth_of(radar),
-                               {radar.position.x, radar.position.y}, time_s));
+  std::vector<radar::Target> heard;
+  for (const TargetInSight& sight : targets_in_sight(
+           scene.targets, vantage, [&](Vec3d from, Vec3d point) { return part_seen(surroundings, from, point); })) {
+    if (!(sight.part_seen > 0.0)) continue;
+    heard.push_back(radar::bent(radar::weakened(*sight.target, sight.part_seen), radar::earth_of(radar),
+                                {radar.position.x, radar.position.y}, sight.time_s));
   }
-  return seen;
+  return heard;
 }
 
 /// The angle of the middle of a strip ahead of broadside, as the beam passes over it.
@@ -228,6 +226,13 @@ receiver::BeamAzimuth beam_of_image(const radar::Radar& radar, Vec3d aim) {
 /// What the pattern leaves of an image made in metres, or nothing where that is not asked for.
 receiver::VoltageGain image_gain(const radar::Radar& radar, receiver::BeamAzimuth beam) {
   return radar.processing.antenna_pattern ? receiver::pattern_gain(radar, std::move(beam)) : receiver::VoltageGain{};
+}
+
+/// The noise of an image made in metres, lifted by what the pattern leaves where that is not in the image.
+receiver::EquivalentNoise image_noise(const radar::Radar& radar, receiver::BeamAzimuth beam,
+                                      const CoherentSettings& settings) {
+  return {radar, receiver::noise_seed(settings.seed, settings.dwell),
+          radar.processing.antenna_pattern ? receiver::VoltageGain{} : receiver::pattern_gain(radar, std::move(beam))};
 }
 
 /// Where that beam points in the middle of the interval, if an image has its pattern.
@@ -268,11 +273,11 @@ Vec2d away_from_track(const radar::Rectangle& area, Vec3d position, Vec3d direct
 
 std::size_t pulses_in(const radar::Radar& radar, const CoherentSettings& settings) {
   if (!(settings.interval_s > 0.0 && settings.interval_s <= 1e4))
-    throw Error("coherent interval", fmt::format("is {:g} s", settings.interval_s), "give more than 0, up to 10000 s");
+    throw Error("interval_s", fmt::format("is {:g} s", settings.interval_s), "give more than 0, up to 10000 s");
   const double repetition_hz = radar.waveform.pulse_repetition_hz;
   const double pulses = std::round(settings.interval_s * repetition_hz);
   if (pulses < 2.0) {
-    throw Error("coherent interval",
+    throw Error("interval_s",
                 fmt::format("of {:g} s is shorter than two pulses at a pulse repetition frequency of {:g} Hz",
                             settings.interval_s, repetition_hz),
                 fmt::format("give at least {:g} s, or send more pulses", 2.0 / repetition_hz));
@@ -299,11 +304,10 @@ receiver::DopplerImager doppler_imager(const CoherentScene& scene, const radar::
                                   .dwell = settings.dwell},
                                  gate_over(radar, area, *scene.terrain, image_oversampling), aim,
                                  image_gain(radar, beam_of_image(radar, aim)));
-  if (radar.processing.thermal_noise)
-    imager.add(receiver::EquivalentNoise(radar, receiver::noise_seed(settings.seed, settings.dwell)));
+  if (radar.processing.thermal_noise) imager.add(image_noise(radar, beam_of_image(radar, aim), settings));
   const DopplerRim rim(radar, mapped, area);
   imager.add(scatterers_of(scene, radar, vantage, area, settings, settings.mapped ? &rim : nullptr), settings.threads);
-  imager.add(targets_seen(scene, radar, vantage));
+  imager.add(targets_heard(scene, radar, vantage));
   return imager;
 }
 
@@ -369,9 +373,8 @@ receiver::StripmapImager stripmap_imager(const CoherentScene& scene, const radar
                                    .relief_m = std::max(0.0, scene.terrain->highest_m() - aim.z),
                                    .dwell = settings.dwell},
                                   gate, image_gain(radar, {}));
-  if (radar.processing.thermal_noise)
-    imager.add(receiver::EquivalentNoise(radar, receiver::noise_seed(settings.seed, settings.dwell)));
-  const auto targets = targets_seen(scene, radar, vantage);
+  if (radar.processing.thermal_noise) imager.add(image_noise(radar, {}, settings));
+  const auto targets = targets_heard(scene, radar, vantage);
   imager.add(scatterers_of(scene, radar, vantage, area, settings), settings.threads);
   imager.add(targets);
   if (!radar.processing.ambiguities) return imager;
@@ -438,7 +441,7 @@ radar::PhaseHistory phase_history(const CoherentScene& scene, const radar::Radar
       spaced(asked, pulse_scatterer_spacing_m(radar, area, *scene.terrain, asked.interval_s));
   const radar::Vantage vantage = radar::vantage_of(radar, area.centre());
   const auto ground = scatterers_of(scene, radar, vantage, area, settings);
-  const auto targets = targets_seen(scene, radar, vantage);
+  const auto targets = targets_heard(scene, radar, vantage);
   const receiver::BeamAzimuth beam = recorded_beam(radar, middle_of(area, *scene.terrain, radar), settings.moment_s);
   const receiver::VoltageGain gain =
       settings.calibrated ? receiver::calibrated_voltage(radar, beam) : receiver::VoltageGain{};

@@ -20,10 +20,14 @@ double highest_m_of(const terrain::HeightField& terrain, const radar::ObstacleMa
   return static_cast<double>(terrain.highest_m()) + static_cast<double>(tallest_m);
 }
 
+const radar::ObstacleMap* obstacles_of(const atlas::Atlas& atlas) {
+  const auto* const apart = atlas.ground_layers();
+  return apart != nullptr ? &apart->obstacles : nullptr;
+}
+
 const radar::ObstacleMap* obstacles_of(const render::Reflectivity& sigma0) {
   const auto* const textures = std::get_if<render::AtlasReflectivity>(&sigma0);
-  if (textures == nullptr || textures->atlas->ground_layers() == nullptr) return nullptr;
-  return &textures->atlas->ground_layers()->obstacles;
+  return textures != nullptr ? obstacles_of(*textures->atlas) : nullptr;
 }
 
 double part_seen(const Surroundings& surroundings, Vec3d radar_position, Vec3d point) {
