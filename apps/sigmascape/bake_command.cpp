@@ -1,3 +1,4 @@
+#include <array>
 #include <filesystem>
 #include <fmt/format.h>
 #include <optional>
@@ -20,6 +21,7 @@
 #include "sigmascape/bake/bake.h"
 #include "sigmascape/bake/plan.h"
 #include "sigmascape/base/error.h"
+#include "sigmascape/base/file_ending.h"
 #include "sigmascape/base/toml_reader.h"
 #include "sigmascape/scene/scene_file.h"
 
@@ -120,17 +122,20 @@ nlohmann::ordered_json json_of(const bake::BakePlan& plan) {
           {"probe_seconds", plan.probe_seconds}};
 }
 
-/// That the log is none of the files that the bake reads, nor of those that it writes and that may not be there yet.
+/// That the log is none of the files that the bake reads, nor of those that it writes, all of them JSON or TIFF, which
+/// may not be there yet.
 void check_log(const std::string& log, const std::string& scene, const std::filesystem::path& folder) {
   std::error_code is_not_there;
   if (log.empty() || std::filesystem::is_other(log, is_not_there) || is_own_stream(log)) return;
-  std::vector<std::string> written;
-  for (const char* name : {"collection.json", "terrain.tif", "terrain.json"})
-    written.push_back((folder / name).string());
-  std::vector<NamedFile> files;
-  for (const std::string& file : written) files.push_back({"--out", file});
-  files.push_back({"--json-log", log});
-  check_files_apart(files, TomlSection::read_file(scene).named_files());
+  const std::string ending = file_ending(log);
+  const std::filesystem::path beside =
+      std::filesystem::weakly_canonical(log).lexically_relative(std::filesystem::weakly_canonical(folder));
+  if (!beside.empty() && *beside.begin() != ".." && (ending == ".json" || ending == ".tif")) {
+    throw Error("--json-log", fmt::format("names {}, in the folder of --out and by a name as an atlas may have", log),
+                "end it in .jsonl");
+  }
+  const std::array<NamedFile, 1> file{{{"--json-log", log}}};
+  check_files_apart(file, TomlSection::read_file(scene).named_files());
 }
 
 }  // namespace

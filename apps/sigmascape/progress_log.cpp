@@ -11,6 +11,7 @@
 #include <system_error>
 
 #include "number_or_null.h"
+#include "pipe_signal_held.h"
 
 #include "sigmascape/base/error.h"
 
@@ -37,32 +38,46 @@ void check_is_log(const std::filesystem::path& file) {
   throw Error(file.string(), "holds something else than the log of a bake", "give --json-log a file of its own");
 }
 
+/// The stream of the program's own that goes there, or none.
+std::FILE* own_stream(const std::filesystem::path& file) {
+  std::error_code is_none;
+  if (std::filesystem::equivalent(file, "/dev/stdout", is_none)) return stdout;
+  return std::filesystem::equivalent(file, "/dev/stderr", is_none) ? stderr : nullptr;
+}
+
+/// A second opening of what the program writes to would write over that, or never learn that its reader went.
 std::FILE* opened(const std::filesystem::path& file) {
+  if (std::FILE* const own = own_stream(file)) return own;
   check_is_log(file);
-  return std::fopen(file.c_str(), "a+");
+  return std::fopen(file.c_str(), "a");
+}
+
+/// As the killed writer of a log may have left it.
+bool ends_within_a_line(const std::filesystem::path& file) {
+  std::error_code is_none;
+  if (!std::filesystem::is_regular_file(file, is_none)) return false;
+  std::ifstream stream(file, std::ios::binary);
+  return stream.seekg(-1, std::ios::end) && stream.get() != '\n';
 }
 
 }  // namespace
 
 bool is_own_stream(const std::filesystem::path& file) {
-  std::error_code is_none;
-  return std::filesystem::equivalent(file, "/dev/stdout", is_none) ||
-         std::filesystem::equivalent(file, "/dev/stderr", is_none);
+  return own_stream(file) != nullptr;
 }
 
-ProgressLog::ProgressLog(const std::filesystem::path& file) : file_name_(file), file_(opened(file)) {
+ProgressLog::ProgressLog(const std::filesystem::path& file)
+    : file_name_(file), is_own_(is_own_stream(file)), file_(opened(file)) {
   if (file_ == nullptr) {
     throw Error(file.string(), std::string("cannot be written (") + std::strerror(errno) + ")",
                 "give --json-log a file in a folder that exists");
   }
-  // A process that was killed may have left half a line.
-  const bool ends_within_a_line = std::fseek(file_, -1, SEEK_END) == 0 && std::fgetc(file_) != '\n';
-  std::fseek(file_, 0, SEEK_END);
-  if (ends_within_a_line) std::fputc('\n', file_);
+  if (ends_within_a_line(file)) std::fputc('\n', file_);
 }
 
 ProgressLog::~ProgressLog() {
-  std::fclose(file_);
+  const PipeSignalHeld held;
+  if (!is_own_) std::fclose(file_);
 }
 
 void ProgressLog::advanced(std::string_view task, double done, double total, std::string_view unit) {
@@ -102,6 +117,7 @@ void ProgressLog::write_line(std::string_view waits_for) {
                               {"seconds_left", number_or_null(rate_.seconds_left())}};
   if (!waits_for.empty()) line["waits_for"] = waits_for;
   const std::string text = line.dump() + "\n";
+  const PipeSignalHeld held;
   const bool is_written = std::fwrite(text.data(), 1, text.size(), file_) == text.size() && std::fflush(file_) == 0;
   if (is_written) {
     has_lines_ = true;

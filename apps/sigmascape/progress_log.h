@@ -20,14 +20,14 @@ namespace sigmascape::cli {
 /// does.
 class ProgressLog final : public ProgressListener {
  public:
-  /// Adds to a log that is there: a share that starts again goes on in its own. Throws Error when the file holds
-  /// something else or cannot be written.
+  /// Adds to a log that is there: a share that starts again goes on in its own. What the program itself writes to is
+  /// written through that. Throws Error when the file holds something else or cannot be written.
   explicit ProgressLog(const std::filesystem::path& file);
   ~ProgressLog() override;
   ProgressLog(const ProgressLog&) = delete;
   ProgressLog& operator=(const ProgressLog&) = delete;
 
-  /// Whether every line was written. A disk that fills up meanwhile does not end the bake.
+  /// Whether every line was written. A disk that fills up meanwhile does not end the bake, nor does a reader who goes.
   [[nodiscard]] bool is_whole() const { return is_whole_; }
 
   /// Throws Error when not even the first line can be written.
@@ -40,6 +40,7 @@ class ProgressLog final : public ProgressListener {
   void write_line(std::string_view waits_for = {});
 
   std::filesystem::path file_name_;
+  bool is_own_;  ///< the program's, which it goes on writing to
   std::FILE* file_;
   ProgressRate rate_;
   std::string task_, unit_;

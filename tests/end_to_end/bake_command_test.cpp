@@ -153,11 +153,11 @@ TEST_F(BakeCommand, ALogIsAddedToNoFileButALog) {
   const std::string is_read = ", of what this is made from; give it a file of its own";
   EXPECT_THAT(said_to_log("a", "scene/scene.toml"), AllOf(HasSubstr("--json-log: names "), HasSubstr(is_read)));
   EXPECT_THAT(said_to_log("a", "scene/houses.csv"), HasSubstr(is_read));
-  EXPECT_THAT(said_to_log("a", "a/collection.json"), HasSubstr("a/collection.json, as --out does; give each of them"));
-  EXPECT_THAT(said_to_log("b", "b/terrain.tif"), HasSubstr("b/terrain.tif, as --out does"));
-  EXPECT_THAT(
-      said_to_log("a", "a/patch_+000_+000/catalog.json"),
-      HasSubstr("catalog.json: holds something else than the log of a bake; give --json-log a file of its own"));
+  const std::string of_atlas = ", in the folder of --out and by a name as an atlas may have; end it in .jsonl";
+  EXPECT_THAT(said_to_log("a", "a/collection.json"), HasSubstr("a/collection.json" + of_atlas));
+  EXPECT_THAT(said_to_log("b", "b/terrain.tif"), HasSubstr("b/terrain.tif" + of_atlas));
+  EXPECT_THAT(said_to_log("a", "a/ground/../buildings.json"), HasSubstr("buildings.json" + of_atlas));
+  EXPECT_THAT(said_to_log("a", "a/patch_+000_+000/catalog.json"), HasSubstr("catalog.json" + of_atlas));
   EXPECT_THAT(said_to_log("a", "scene/notes.txt"), HasSubstr("notes.txt: holds something else"));
   EXPECT_EQ(difference_of(files_of(folder_.path("a")), atlas_before), "");
   EXPECT_EQ(difference_of(files_of(folder_.path("scene")), scene_before), "");
@@ -216,6 +216,30 @@ TEST_F(BakeCommand, ALogGoesOnBehindPartOfALineAndIntoTheOutputOfAJob) {
   std::ifstream job(folder_.path("job.txt"));
   const std::string written{std::istreambuf_iterator<char>(job), {}};
   EXPECT_THAT(written, AllOf(HasSubstr("the job starts\n"), HasSubstr(R"({"task":)")));
+}
+
+TEST_F(BakeCommand, ALogIntoItsOwnOutputIsWrittenOverByNothing) {
+  const std::string options = std::string(one_coarse_look) + " --samples 2 --bounces 1";
+  const std::string job = folder_.path("job.txt").string();
+  EXPECT_EQ(run(bake_line("a", options + fmt::format(" --json-log /dev/stdout > '{}'", job))).code, 0);
+  std::ifstream lines(job);
+  std::size_t logged = 0;
+  std::string line;
+  while (std::getline(lines, line) && line.starts_with('{')) {
+    EXPECT_TRUE(nlohmann::json::accept(line)) << line;
+    ++logged;
+  }
+  EXPECT_GT(logged, 3U);
+  EXPECT_THAT(line, HasSubstr("4 looks in "));
+}
+
+TEST_F(BakeCommand, ALogWhoseReaderHasGoneIsToldAndNotWaitedFor) {
+  const std::string pipe = folder_.path("pipe").string();
+  const Ended ended = run(fmt::format(
+      "mkfifo '{0}'; : < '{0}' & {1}", pipe,
+      bake_line("a", std::string(one_coarse_look) + fmt::format(" --samples 2 --bounces 1 --json-log '{}'", pipe))));
+  EXPECT_EQ(ended.code, 1);
+  EXPECT_THAT(ended.said, HasSubstr("pipe: cannot be written (Broken pipe)"));
 }
 
 // On standard error, so that a summary in JSON stays what it is; what lies outside by rights is for `scene info` alone.

@@ -63,9 +63,12 @@ std::optional<std::string> file_of_others(const std::filesystem::path& folder, c
       if (is_there(name) && !is_item(folder / item)) return name.string();
     }
   }
-  // A pyramid of tiles begins with one heading and ends with the other: terrain/pyramid_files.h.
+  // A pyramid of tiles begins with one heading and ends with the other, and is built anew within itself:
+  // terrain/pyramid_files.h.
   const std::filesystem::path pyramid = terrain_pyramid_name;
-  if (is_there(pyramid) && !is_there(pyramid / "pyramid.toml") && !is_there(pyramid / "unfinished.toml"))
+  const auto begins_with = [&](const char* name) { return is_there(pyramid / name); };
+  if (is_there(pyramid) && !begins_with("pyramid.toml") && !begins_with("unfinished.toml") &&
+      !begins_with(".unfinished"))
     return pyramid.string();
   std::vector<std::filesystem::path> layers = {ground_folder};
   if (keeps_building_textures(description)) layers.emplace_back(building_textures_folder);

@@ -9,6 +9,7 @@
 #include "sigmascape/atlas/building_textures.h"
 #include "sigmascape/atlas/catalogs.h"
 #include "sigmascape/atlas/ground_layers.h"
+#include "sigmascape/atlas/layer_store.h"
 #include "sigmascape/atlas/obstacle_file.h"
 #include "sigmascape/atlas/pyramid.h"
 
@@ -45,9 +46,9 @@ Made make_levels_of_obstacles(const Store& atlas, Scrutiny scrutiny) {
   return {written, notes.left_out.size(), pyramid.hindrances(notes.left_out)};
 }
 
-/// Of a layer in that folder of an atlas.
+/// Of a layer in that folder of an atlas. One that was lost has none.
 Made make_levels_of_layer(const Store& atlas, std::string_view folder, Scrutiny scrutiny) {
-  if (!std::filesystem::exists(atlas.folder() / folder)) return {};
+  if (auto fault = unread_collection_fault(atlas, folder)) return {.left_out = 1, .hindrances = {*std::move(fault)}};
   Made made = make_levels_of(Store::open(atlas.folder() / folder), scrutiny);
   for (StoreFault& fault : made.hindrances) fault.file = folder / fault.file;
   return made;

@@ -151,6 +151,12 @@ Store Store::open(const std::filesystem::path& folder) {
   return {folder, std::move(description)};
 }
 
+Store::Store(const std::filesystem::path& folder, AtlasDescription description) : description_(std::move(description)) {
+  std::error_code is_gone;
+  folder_ = std::filesystem::absolute(folder, is_gone);
+  if (is_gone) folder_ = folder;
+}
+
 std::size_t Store::unit_count() const {
   return description_.patches.block_over(description_.extent).size() * description_.aspects.look_count();
 }

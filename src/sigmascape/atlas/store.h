@@ -162,10 +162,9 @@ class Store {
   [[nodiscard]] std::filesystem::path texture_path(PatchIndex patch, LookIndex look) const;
 
  private:
-  Store(std::filesystem::path folder, AtlasDescription description)
-      : folder_(std::move(folder)), description_(std::move(description)) {}
+  Store(const std::filesystem::path& folder, AtlasDescription description);
 
-  std::filesystem::path folder_;
+  std::filesystem::path folder_;  ///< absolute: what is read when it is asked for is found wherever the process went
   AtlasDescription description_;
 };
 

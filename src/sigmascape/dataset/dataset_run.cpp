@@ -12,6 +12,7 @@
 #include <mutex>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <unistd.h>
 #include <utility>
 #include <vector>
 
@@ -309,6 +310,11 @@ void remove_leftovers(const fs::path& folder) {
     geo::remove_leftovers(indices, "");
 }
 
+/// A published dataset may lie where nothing can be written, and be asked whether it is whole.
+bool may_be_written(const fs::path& folder) {
+  return ::access(folder.c_str(), W_OK) == 0;
+}
+
 void check(const DatasetShare& share) {
   if (share.index < share.count) return;
   throw Error(fmt::format("shard {}/{}", share.index, share.count), "is not one of the shards",
@@ -344,7 +350,8 @@ DatasetReport make_dataset(const SampleMaker& maker, const fs::path& folder, con
     Interruption::heed();
     report.is_complete = report.is_complete && is_made(maker, identity, folder, number);
   }
-  if (report.is_complete) write_summary(maker, folder, lots);
+  const bool may_stay = found.lacking.empty() && has_summary(folder) && !may_be_written(folder);
+  if (report.is_complete && !may_stay) write_summary(maker, folder, lots);
   return report;
 }
 

@@ -1,6 +1,7 @@
 #include "sigmascape/dataset/dataset_summary.h"
 
 #include <algorithm>
+#include <array>
 #include <fmt/format.h>
 #include <fstream>
 #include <iterator>
@@ -171,6 +172,11 @@ std::string tar_name(std::size_t lot) {
 
 fs::path index_path(const fs::path& folder, std::size_t lot) {
   return folder / "index" / fmt::format("{:06}.json", lot);
+}
+
+bool has_summary(const fs::path& folder) {
+  return std::ranges::all_of(std::array{"annotations.json", "contact_sheet.png", "manifest.json"},
+                             [&](const char* name) { return fs::exists(folder / name); });
 }
 
 void write_summary(const SampleMaker& maker, const fs::path& folder, std::size_t lots) {

@@ -23,4 +23,7 @@ inline constexpr std::size_t sheet_samples = 36, sheet_side = 64;
 /// index cannot be read.
 void write_summary(const SampleMaker& maker, const std::filesystem::path& folder, std::size_t lots);
 
+/// Whether all three are there.
+[[nodiscard]] bool has_summary(const std::filesystem::path& folder);
+
 }  // namespace sigmascape::dataset

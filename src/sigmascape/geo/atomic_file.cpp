@@ -13,6 +13,7 @@
 #include <fmt/format.h>
 #include <fstream>
 #include <memory>
+#include <regex>
 #include <string>
 #include <sys/stat.h>
 #include <system_error>
@@ -94,6 +95,12 @@ std::filesystem::path temporary_name_for(const std::filesystem::path& final_path
   static std::atomic<unsigned> serial{0};
   return final_path.parent_path() / fmt::format(".{}.{}-{}-{}{}", final_path.filename().string(), numbering(),
                                                 ::getpid(), serial.fetch_add(1), temporary_ending);
+}
+
+/// Whether a name is one of those, whoever gave it, be it a former program that did not name the numbering.
+bool is_temporary_name(const std::string& name) {
+  static const std::regex form(R"(\..+\.([0-9a-f]{16}-|-)?[0-9]+-[0-9]+\.tmp)");
+  return std::regex_match(name, form);
 }
 
 /// Whether a temporary file has a name that was given by a process which has ended, as far as can be seen from here.
@@ -368,7 +375,7 @@ void remove_leftovers(const std::filesystem::path& folder, std::string_view begi
   std::vector<std::filesystem::path> leftovers;
   for (const auto& entry : std::filesystem::directory_iterator(folder, ignored)) {
     const std::string name = entry.path().filename().string();
-    if (!name.starts_with(prefix) || !name.ends_with(temporary_ending)) continue;
+    if (!name.starts_with(prefix) || !is_temporary_name(name)) continue;
     if (is_of_ended_process(name) || is_long_untouched(entry.path())) leftovers.push_back(entry.path());
   }
   for (const std::filesystem::path& leftover : leftovers) std::filesystem::remove(leftover, ignored);

@@ -153,13 +153,13 @@ std::shared_ptr<const HeightTile> whole_tile(const std::filesystem::path& folder
   }
 }
 
-/// Where a pyramid is built: in its folder, or beside it while the folder holds a finished one of other heights, which
-/// stays until it can be replaced. The name is always the same, so that what was interrupted goes on, be it while the
-/// finished one takes the other's place.
+/// Where a pyramid is built: in its folder, or within that while it holds a finished one of other heights, which stays
+/// until it can be replaced. Within, for the folder may be a link to another disk or the root of one. The name is
+/// always the same, so that what was interrupted goes on, be it while the finished one takes the other's place.
 std::filesystem::path building_site(const std::filesystem::path& folder, const PyramidHeading& heading) {
   if (holds(folder, heading_name, heading)) return folder;
-  const auto beside = folder.parent_path() / fmt::format(".{}.unfinished", folder.filename().string());
-  return holds(beside, heading_name, heading) || !heading_fault(folder) ? beside : folder;
+  const auto within = folder / building_site_name;
+  return holds(within, heading_name, heading) || !heading_fault(folder) ? within : folder;
 }
 
 /// Everything that is at `site` but its heading, and that last, so that the pyramid never counts for more than it is.
@@ -452,7 +452,7 @@ TerrainPyramid open_pyramid(const std::filesystem::path& folder, std::size_t bud
     summaries.push_back(read_index(folder, heading, level));
   }
   return {heading.layout, heading.extent, std::move(summaries),
-          [folder](TileKey key) { return read_tile(folder, key); }, budget_bytes};
+          [folder = std::filesystem::absolute(folder)](TileKey key) { return read_tile(folder, key); }, budget_bytes};
 }
 
 }  // namespace sigmascape::terrain

@@ -30,6 +30,8 @@ struct PyramidHeading {
 /// The files of a pyramid's folder: `level_<k>/<column>_<row>.tif` a tile, `level_<k>.tif` lowest, highest and error of
 /// a level's tiles, and the heading, under this name once the pyramid is finished and under the other until then.
 inline constexpr std::string_view heading_name = "pyramid.toml", unfinished_heading_name = "unfinished.toml";
+/// In the folder of a finished pyramid, that of another which is to replace it.
+inline constexpr std::string_view building_site_name = ".unfinished";
 
 inline constexpr std::uint32_t most_tiles_a_side = 1'000'000;
 

@@ -128,12 +128,12 @@ TEST(ObstaclePyramid, WhatIsLeftOutIsToldWithItsCause) {
   ASSERT_EQ(causes.size(), 2U);
   EXPECT_EQ(causes[missing], "is missing");
   EXPECT_THAT(causes[former], HasSubstr("former kind"));
-  // Of σ0 the atlas has nothing at all.
-  EXPECT_EQ(made.left_out, 4U + files_above);
-  EXPECT_EQ(made.hindrances.size(), 2U + patches_of(atlas).size());
+  // Of σ0 the atlas has nothing at all, nor of the ground's own.
+  EXPECT_EQ(made.left_out, 4U + files_above + 1U);
+  EXPECT_EQ(made.hindrances.size(), 2U + patches_of(atlas).size() + 1U);
 }
 
-TEST(ObstaclePyramid, OfAWholeAtlasNothingIsLeftOut) {
+TEST(ObstaclePyramid, OfAnAtlasThatLostItsGroundThatAloneIsLeftOut) {
   const ScratchFolder folder;
   const Store atlas = with_all_obstacles(folder.path("a"));
   for (const Unit& unit : atlas.units()) atlas.write(unit.patch, unit.look, example_texels(512, unit.look), {});
@@ -141,8 +141,10 @@ TEST(ObstaclePyramid, OfAWholeAtlasNothingIsLeftOut) {
   EXPECT_EQ(made.written.looks, files_above);
   EXPECT_EQ(made.written.obstacles, files_above);
   EXPECT_EQ(made.written.ground, 0U);
-  EXPECT_EQ(made.left_out, 0U);
-  EXPECT_TRUE(made.hindrances.empty());
+  EXPECT_EQ(made.left_out, 1U);
+  ASSERT_EQ(made.hindrances.size(), 1U);
+  EXPECT_EQ(made.hindrances.front().file, "ground/collection.json");
+  EXPECT_EQ(made.hindrances.front().what, "is missing");
 }
 
 }  // namespace

@@ -73,6 +73,15 @@ TEST_F(StoreTest, OpensAgainWithTheSameDescription) {
   EXPECT_EQ(store.units(), opened.units());
 }
 
+TEST_F(StoreTest, IsFoundByARelativeNameWhereverTheProcessGoesAfterwards) {
+  const std::filesystem::path here = std::filesystem::current_path();
+  std::filesystem::current_path(written_->path(""));
+  const Store store = Store::open("atlas");
+  std::filesystem::current_path(here);
+  EXPECT_TRUE(store.is_done(store.units().front().patch, 0));
+  EXPECT_FALSE(store.read_halves(store.units().front().patch, 0).levels.empty());
+}
+
 TEST_F(StoreTest, RefusesAnotherDescriptionAndNamesWhatDiffers) {
   static_cast<void>(Store::create(folder_, example_description()));
   AtlasDescription other = example_description();

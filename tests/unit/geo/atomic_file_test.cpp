@@ -296,6 +296,16 @@ TEST_F(AtomicFile, WhatIsBeingWrittenIsNoLeftover) {
   EXPECT_EQ(bytes_of(folder_ / "a.txt"), "half");
 }
 
+TEST_F(AtomicFile, WhatOthersNamedAlikeStays) {
+  for (const char* name : {".notes.tmp", ".a.0-.tmp", ".a.-1.tmp", ".99-0.tmp", ".a.0123-99-0.tmp", ".a.99-0.tmp~"}) {
+    std::ofstream(folder_ / name) << "of others";
+    std::filesystem::last_write_time(folder_ / name,
+                                     std::filesystem::file_time_type::clock::now() - std::chrono::hours(30));
+    remove_leftovers(folder_, "");
+    EXPECT_TRUE(std::filesystem::exists(folder_ / name)) << name;
+  }
+}
+
 // The process of that number may be alive on a host whose locks do not reach here.
 TEST_F(AtomicFile, WhatIsOfAnotherHostIsRemovedWhenItIsOld) {
   for (const char* name : {".a.txt.0123456789abcdef-99999999-0.tmp", ".a.txt.99-0.tmp"}) {

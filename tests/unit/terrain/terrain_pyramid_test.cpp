@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 #include <map>
 #include <memory>
+#include <sys/stat.h>
 #include <thread>
 
 #include "keep_worst.h"
@@ -443,7 +444,7 @@ TEST_F(PyramidOnDisk, StaysUntilOtherHeightsAreWhole) {
                   build_pyramid(folder_.path("pyramid"), cut, {43.312, -2.986}, {-1000.0, -1000.0, 1000.0, 1000.0});
                 }),
                 HasSubstr("nothing.asc: holds no heights"));
-    EXPECT_FALSE(std::filesystem::exists(folder_.path(".pyramid.unfinished")));
+    EXPECT_FALSE(std::filesystem::exists(folder_.path("pyramid/.unfinished")));
   }
   EXPECT_THAT(verify_pyramid(folder_.path("pyramid"), {43.0, -3.0}), ::testing::IsEmpty());
 
@@ -454,20 +455,38 @@ TEST_F(PyramidOnDisk, StaysUntilOtherHeightsAreWhole) {
   EXPECT_THAT(verify_pyramid(folder_.path("pyramid"), {43.0, -3.0}), ::testing::IsEmpty());
   TerrainPyramid pyramid = open_pyramid(folder_.path("pyramid"), 100 * HeightTile::bytes);
   EXPECT_EQ(pyramid.load({0, 0, 0})->height_m[0], before + 1.0F);
-  EXPECT_FALSE(std::filesystem::exists(folder_.path(".pyramid.unfinished")));
+  EXPECT_FALSE(std::filesystem::exists(folder_.path("pyramid/.unfinished")));
+}
+
+// Nothing can be renamed from one disk to another.
+TEST_F(PyramidOnDisk, IsReplacedWhereItsFolderIsALinkToAnotherDisk) {
+  const std::filesystem::path disk = "/dev/shm", there = disk / folder_.path("").parent_path().filename();
+  struct stat here {
+  }, other{};
+  if (::stat(folder_.path("").c_str(), &here) != 0 || ::stat(disk.c_str(), &other) != 0 || here.st_dev == other.st_dev)
+    GTEST_SKIP() << "there is no other disk in " << disk;
+  std::filesystem::rename(folder_.path("pyramid"), folder_.path("former"));
+  std::filesystem::copy(folder_.path("former"), there, std::filesystem::copy_options::recursive);
+  std::filesystem::create_directory_symlink(there, folder_.path("pyramid"));
+  for (float& height : field_.height_m.values()) height += 1.0F;
+  build_pyramid(folder_.path("pyramid"), field_, {43.0, -3.0});
+  EXPECT_THAT(verify_pyramid(folder_.path("pyramid"), {43.0, -3.0}), ::testing::IsEmpty());
+  EXPECT_EQ(open_pyramid(there, 100 * HeightTile::bytes).load({0, 0, 0})->height_m[0], field_.height_m(0, 0));
+  EXPECT_FALSE(std::filesystem::exists(there / ".unfinished"));
+  std::filesystem::remove_all(there);
 }
 
 // Killed while the other heights' tiles were being removed, whose heading goes first.
 TEST_F(PyramidOnDisk, TakesItsPlaceWhenThatWasInterrupted) {
   for (float& height : field_.height_m.values()) height += 1.0F;
-  build_pyramid(folder_.path(".pyramid.unfinished"), field_, {43.0, -3.0});
+  build_pyramid(folder_.path("pyramid/.unfinished"), field_, {43.0, -3.0});
   std::filesystem::remove(tile("pyramid.toml"));
   std::filesystem::remove_all(tile("level_1"));
   EXPECT_EQ(build_pyramid(folder_.path("pyramid"), field_, {43.0, -3.0}), 0U);
   EXPECT_THAT(verify_pyramid(folder_.path("pyramid"), {43.0, -3.0}), ::testing::IsEmpty());
   EXPECT_EQ(open_pyramid(folder_.path("pyramid"), 100 * HeightTile::bytes).load({0, 0, 0})->height_m[0],
             field_.height_m(0, 0));
-  EXPECT_FALSE(std::filesystem::exists(folder_.path(".pyramid.unfinished")));
+  EXPECT_FALSE(std::filesystem::exists(folder_.path("pyramid/.unfinished")));
 }
 
 TEST_F(PyramidOnDisk, VerificationNamesWhatIsMissingOrDamaged) {
