@@ -38,7 +38,7 @@ inline constexpr double lowest_elevation_deg = 0.5, highest_elevation_deg = 89.0
 /// an obstacle or in how texels are summed and rounded: atlases that were begun before are refused then, rather than
 /// gone on with half and half. Not with changes in how a scene is read, which its hash tells, nor with those of formats
 /// (atlas::newest_format_version).
-inline constexpr int physics_revision = 10;
+inline constexpr int physics_revision = 11;
 
 /// Of smaller texels, cross-sections come near the units in which they and their variances are summed
 /// (receiver/power_bins.h, receiver/variance_bins.h).

@@ -114,7 +114,8 @@ class Microfacets {
   /// By the cosine of the tilt and the square of its sine, which is not 1 − cos²: for the narrow lobes of smooth
   /// surfaces that is nothing but rounding.
   [[nodiscard]] float density(float cosine, float sine2) const {
-    const float cos2 = cosine * cosine, alpha2 = alpha_ * alpha_;
+    // On edge there would be 0/0.
+    const float cos2 = std::max(cosine * cosine, 1e-12F), alpha2 = alpha_ * alpha_;
     const float tan2_over_alpha2 = sine2 / (cos2 * alpha2);
     const float scale = std::numbers::inv_pi_v<float> / (alpha2 * cos2 * cos2);
     if (distribution_ == MicrofacetDistribution::Beckmann) return scale * fast_exp(-tan2_over_alpha2);

@@ -42,13 +42,13 @@ struct AtEdge {
   bool goes_up;  ///< along it, by the words of its ends
 };
 
-/// Whether a surface goes on across an edge, by twice the areas of its triangles: flat, whichever way these are wound,
-/// or with a gentle bend. Seen from one side, neighbours go along their edge in opposite ways.
+/// Whether a surface goes on across an edge, by twice the areas of its triangles: with a gentle bend at most, whichever
+/// way these are wound. Seen from one side, neighbours go along their edge in opposite ways; those that do not lie upon
+/// one another, as front and back of a sheet do that were cut otherwise.
 bool goes_on(Vec3f a, Vec3f b, bool same_way) {
-  constexpr float flat2 = 0.99999F, gentle2 = 0.88302F;  // cos² of 0.18° and of 20°
+  constexpr float gentle2 = 0.88302F;  // cos² of 20°
   const float product = dot(a, b), lengths2 = dot(a, a) * dot(b, b);
-  return product * product > flat2 * lengths2 ||
-         ((product > 0.0F) != same_way && product * product > gentle2 * lengths2);
+  return (product > 0.0F) != same_way && product * product > gentle2 * lengths2;
 }
 
 }  // namespace

@@ -110,7 +110,8 @@ void TrafficFlow::fill(std::span<const Vec2d> line, double width_m, Way way, con
 
 void TrafficFlow::fill(std::span<const Vec2d> line, const Stream& stream, const WaterMask& water,
                        StandingByEnd& standing) {
-  if (stream.per_km <= 0.0 || line.size() < 2) return;
+  constexpr double none_per_km = 1e-9;
+  if (stream.per_km <= none_per_km || line.size() < 2) return;
   const double end_m = length_of(line), mean_m = 1000.0 / stream.per_km;
   double distance_m = 0.0, last_half_m = 0.0;
   for (std::uint64_t number = 0;; ++number) {

@@ -46,6 +46,16 @@ TEST_P(EveryDistribution, ProjectedAreaOfFacetsIsOne) {
   }
 }
 
+/// On edge D is 0, or α²/π where it falls off as a power.
+TEST_P(EveryDistribution, HasALimitForFacetsOnEdge) {
+  for (const float alpha : {0.001F, 0.1F}) {
+    const double expected = GetParam() == MicrofacetDistribution::Ggx ? static_cast<double>(alpha * alpha) / pi : 0.0;
+    for (const float cosine : {1e-6F, 1e-9F, 1e-12F, 1e-20F, 1e-40F})
+      EXPECT_NEAR(Microfacets(GetParam(), alpha).density({1.0F, 0.0F, cosine}), expected, 1e-6)
+          << alpha << " " << cosine;
+  }
+}
+
 TEST_P(EveryDistribution, VisibleFacetsFillTheView) {
   for (const double alpha : alphas) {
     const Microfacets facets(GetParam(), static_cast<float>(alpha));

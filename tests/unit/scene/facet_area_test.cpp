@@ -43,6 +43,16 @@ TEST(FacetArea, APanelThatIsThereTwiceIsOneFace) {
   for (const float area : facet_areas_m2(panel)) EXPECT_NEAR(area, 6.0F, 1e-4F);
 }
 
+// The same, cut along the other diagonal on its back: front and back lie upon one another, and each is one face.
+TEST(FacetArea, APanelWhoseBackIsCutOtherwiseIsTwoFacesOfItsArea) {
+  Mesh panel;
+  const std::array<Vec3f, 4> front{{{0, 0, 0}, {2, 0, 0}, {2, 0, 3}, {0, 0, 3}}},
+      back{{{2, 0, 0}, {0, 0, 0}, {0, 0, 3}, {2, 0, 3}}};
+  append_facet(panel, front, 0);
+  append_facet(panel, back, 0);
+  for (const float area : facet_areas_m2(panel)) EXPECT_NEAR(area, 6.0F, 1e-4F);
+}
+
 /// Two walls of 3 m² that meet at a corner, bent by so much; the second wound the same way round or the other.
 std::vector<float> areas_of_bent_wall(double bend_deg, bool wound_alike = true) {
   const double bend = radians_from_deg(bend_deg);
