@@ -60,6 +60,13 @@ std::vector<product::CellComparison> compared(const GroundMap& tested, const Gro
   return product::compare_maps(tested, truth, options).at;
 }
 
+GroundMap read(const std::filesystem::path& path, const std::optional<std::string>& polarization) {
+  const std::optional<radar::Polarization> needed =
+      polarization ? std::optional(polarization_from(*polarization)) : std::nullopt;
+  const WithoutGil released;
+  return needed ? product::read_ground_map(path, *needed) : product::read_ground_map(path);
+}
+
 void add_comparison(py::module_& module) {
   using product::CellComparison;
   py::class_<CellComparison>(module, "CellComparison", "How close one map comes to another at one cell size.")
@@ -93,8 +100,9 @@ void add_ground_map(py::module_& module) {
   add_place(binding);
   binding
       .def_static(
-          "read", [](const std::filesystem::path& path) { return product::read_ground_map(path); }, py::arg("path"),
-          py::call_guard<WithoutGil>(), "Reads a GeoTIFF that save() or `sigmascape render` wrote.")
+          "read", &read, py::arg("path"), py::kw_only(), py::arg("polarization") = py::none(),
+          "Reads a GeoTIFF that save() or `sigmascape render` wrote. With a polarization, vv, hh, hv or sum, only the\n"
+          "bands of its power must be there; those that are not are NaN.")
       .def_property_readonly(
           "sigma0",
           [](const py::object& self) {

@@ -47,6 +47,24 @@ std::unique_ptr<Held<GroundRenderer>> made_renderer(const Held<LiveGround>& held
   return std::make_unique<Held<GroundRenderer>>("LiveRenderer", std::move(made));
 }
 
+py::dict report_of(const Held<LiveGround>& ground) {
+  const render::GroundReport told = ground.here()->report();
+  py::dict report;
+  report["pages"] = told.pages.pages;
+  report["page_bytes"] = told.pages.bytes;
+  report["loaded"] = told.pages.loaded;
+  report["evicted"] = told.pages.evicted;
+  report["renewed"] = told.pages.renewed;
+  report["refused"] = told.pages.refused;
+  report["absent"] = told.pages.absent;
+  report["damaged"] = told.pages.damaged;
+  report["obstacle_bytes"] = told.obstacles.bytes;
+  report["damaged_obstacles"] = told.obstacles.damaged;
+  report["terrain_bytes"] = told.terrain_bytes;
+  report["terrain_faults"] = told.terrain_faults;
+  return report;
+}
+
 template <typename Number>
 py::object numbers_of(const HeldFrame& held, std::span<const Number> numbers) {
   if (numbers.empty()) return py::none();
@@ -81,8 +99,13 @@ void save(const HeldFrame& held, const std::filesystem::path& path, std::optiona
     throw Error(path.string(), "cannot hold powers", "make the renderer with content='amplitudes'");
   const std::scoped_lock turn(*held.turns);
   render::check_holds(held.frame, path.string());
+  Words words = held.words;
+  words["time_s"] = fmt::format("{}", held.pose.moment.time_s);
+  words["dwell"] = std::to_string(held.pose.moment.dwell);
+  words["pulse"] = std::to_string(held.pose.moment.pulse);
+  words["targets_seen"] = std::to_string(held.frame.report.targets);
   product::write_iq(path, product::iq_record(held.frame.grid, held.frame.amplitudes_m, platforms_of(held),
-                                             held.frame.frequency_hz, held.words));
+                                             held.frame.frequency_hz, held.frame.earth, std::move(words)));
 }
 
 /// Whoever has the turn may be at a long frame.
@@ -104,8 +127,9 @@ void add_frame(py::module_& module) {
   binding
       .def_property_readonly(
           "amplitudes_m", [](const HeldFrame& f) { return numbers_of(f, f.frame.amplitudes_m); },
-          "complex64 [beam, range, 4]: VV, HH, HV, VH in metres; |a|^2 is a cross-section in m^2. None when powers\n"
-          "were asked for.")
+          "complex64 [beam, range, 4]: VV, HH, HV, VH in metres; |a|^2 is a cross-section in m^2. A point is shared\n"
+          "by the bins about it: their |a|^2 add up to its cross-section, and the brightest has up to 6 dB less. None\n"
+          "when powers were asked for.")
       .def_property_readonly(
           "powers_m2", [](const HeldFrame& f) { return numbers_of(f, f.frame.powers_m2); },
           "float32 [beam, range, 4]: VV, HH, HV, Re VV HH* in m^2. None when amplitudes were asked for.")
@@ -177,6 +201,12 @@ void add_live(py::module_& module) {
       .def(
           "wait", [](const Held<LiveGround>& ground) { long_call([&] { ground.here()->wait_until_loaded(); }); },
           "Returns when all pages and all terrain that frames have asked for are there.")
+      .def("report", &report_of,
+           "What of it is in memory, and what could not be had: a dict of numbers. Where `evicted` goes on rising "
+           "while\n"
+           "the view stays, cache_mib is less than what renderers look at, and where `refused` is above 0, less than "
+           "one\n"
+           "frame does; docs/live.md, \"What a frame reports\".")
       .def_property_readonly("frequency_ghz", [](const Held<LiveGround>& g) { return g.here()->frequency_hz() / 1e9; })
       .def(
           "height_at",

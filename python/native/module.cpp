@@ -36,12 +36,12 @@ PYBIND11_MODULE(_native, module) {
   pybind11::register_exception_translator(&raise_error);
   python::look_after_threads();
   python::add_scene(module);
-  python::add_targets(module);
   python::add_radar(module);
   python::add_ground_map(module);
   python::add_power_map(module);
   python::add_bake(module);
   python::add_atlas(module);
+  python::add_targets(module);
   python::add_render(module);
   python::add_iq(module);
   python::add_layers(module);

@@ -4,15 +4,21 @@
 #include <optional>
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
+#include <utility>
+#include <variant>
 
 #include "given_number.h"
+#include "loaded_atlas.h"
+#include "loaded_scene.h"
 #include "parts.h"
 #include "whole_number.h"
 
 #include "sigmascape/base/error.h"
 #include "sigmascape/base/units.h"
+#include "sigmascape/radar/corner_reflector.h"
 #include "sigmascape/radar/radar_bounds.h"
 #include "sigmascape/radar/target_file.h"
+#include "sigmascape/simulate/placement.h"
 
 namespace sigmascape::python {
 namespace {
@@ -111,6 +117,31 @@ TargetSource made_target(const Pair& position_m, const std::string& name, double
   return source;
 }
 
+/// Its phase centre at a moment, on the ground that the track is over.
+py::tuple position_on(const TargetSource& source, const geo::LocalFrame& frame, const terrain::HeightField& terrain,
+                      double time_s) {
+  within("time_s", time_s, radar::bounds::moments_s);
+  const Vec3d place =
+      simulate::placed_targets({&source, 1}, frame, terrain, source.target.seed).front().track.position_at(time_s);
+  return py::make_tuple(place.x, place.y, place.z);
+}
+
+py::object rcs_dbsm_of(const TargetSource& source) {
+  const auto* same_from_everywhere = std::get_if<radar::Channels>(&source.target.rcs_m2);
+  if (same_from_everywhere == nullptr) return py::none();
+  py::dict rcs;
+  rcs["vv"] = db_from_linear(static_cast<double>(same_from_everywhere->vv));
+  rcs["hh"] = db_from_linear(static_cast<double>(same_from_everywhere->hh));
+  rcs["hv"] = db_from_linear(static_cast<double>(same_from_everywhere->hv));
+  return rcs;
+}
+
+double trihedral_rcs_dbsm(double leg_m, double frequency_ghz) {
+  positive("leg_m", leg_m);
+  within("frequency_ghz", frequency_ghz, radar::bounds::frequencies_ghz);
+  return db_from_linear(radar::triangular_trihedral_rcs_m2(leg_m, wavelength_m(frequency_ghz * 1e9)));
+}
+
 }  // namespace
 
 void add_targets(py::module_& module) {
@@ -131,10 +162,35 @@ void add_targets(py::module_& module) {
            "together.\n"
            "size_m: length, width, height of what casts a shadow.")
       .def_property_readonly("name", [](const TargetSource& t) { return t.target.name; })
+      .def_property_readonly(
+          "rcs_dbsm", &rcs_dbsm_of,
+          "Mean cross-section in vv, hh and hv, dB over 1 m^2: a dict; None where it goes by aspect.")
+      .def_property_readonly(
+          "size_m",
+          [](const TargetSource& t) { return py::make_tuple(t.target.size_m.x, t.target.size_m.y, t.target.size_m.z); },
+          "Length, width and height of what casts a shadow; zeros: nothing.")
+      .def(
+          "position_m",
+          [](const TargetSource& t, const LoadedScene& scene, double time_s) {
+            return position_on(t, scene.scene().frame, scene.scene().terrain, time_s);
+          },
+          py::arg("over"), py::arg("time_s") = 0.0,
+          "Where its phase centre is at that time over the ground of a Scene or an Atlas: x, y and height above mean\n"
+          "sea level in the local frame.")
+      .def(
+          "position_m",
+          [](const TargetSource& t, const LoadedAtlas& atlas, double time_s) {
+            return position_on(t, atlas.description().frame, atlas.terrain(), time_s);
+          },
+          py::arg("over"), py::arg("time_s") = 0.0)
       .def("__copy__", [](const TargetSource& t) { return TargetSource(t); })
       .def(
           "__deepcopy__", [](const TargetSource& t, const py::dict&) { return TargetSource(t); }, py::arg("memo"))
       .def("__repr__", [](const TargetSource& t) { return "<sigmascape.Target '" + t.target.name + "'>"; });
+  module.def(
+      "trihedral_rcs_dbsm", &trihedral_rcs_dbsm, py::arg("leg_m"), py::kw_only(), py::arg("frequency_ghz"),
+      "Greatest cross-section of a conducting corner reflector of three triangles with right angles and legs of\n"
+      "so many metres, dB over 1 m^2: 4 pi a^4/(3 lambda^2). docs/physics/targets.md, Eq. (4).");
   module.def(
       "read_targets", [](const std::filesystem::path& path) { return radar::read_target_file(path); }, py::arg("path"),
       "The Targets of a targets file (TOML, docs/target_file.md), as a list.");

@@ -74,6 +74,7 @@ from ._native import (
     received_power,
     render,
     stripmap,
+    trihedral_rcs_dbsm,
 )
 
 __all__ = [
@@ -114,4 +115,5 @@ __all__ = [
     "received_power",
     "render",
     "stripmap",
+    "trihedral_rcs_dbsm",
 ]

@@ -82,6 +82,16 @@ def test_decibels_are_those_of_the_linear_map(gdal, made):
     assert np.allclose(read.vv, np.maximum(linear.GetRasterBand(1).ReadAsArray(), 1e-10), rtol=1e-5, equal_nan=True)
 
 
+def test_one_band_is_enough_for_its_polarization(gdal, made, tmp_path):
+    gdal.Translate(str(tmp_path / "hh.tif"), str(made / "map.tif"), bandList=[2])
+    read, whole = sigmascape.GroundMap.read(tmp_path / "hh.tif", polarization="hh"), sigmascape.GroundMap.read(made / "map.tif")
+    assert np.array_equal(read.hh, whole.hh, equal_nan=True) and np.isnan(read.vv).all()
+    with pytest.raises(sigmascape.Error, match="VV"):
+        sigmascape.GroundMap.read(tmp_path / "hh.tif")
+    with pytest.raises(sigmascape.Error, match="circular"):
+        sigmascape.GroundMap.read(tmp_path / "hh.tif", polarization="circular")
+
+
 def test_numpy_files_have_the_numbers_of_the_geotiff(made):
     tif = sigmascape.GroundMap.read(made / "map.tif")
     archive = np.load(made / "map.npz")

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstring>
 #include <exception>
+#include <filesystem>
 #include <map>
 #include <memory>
 #include <new>
@@ -374,6 +375,26 @@ int sigmascape_ground_height(const sigmascape_ground* ground, double x_m, double
   });
 }
 
+int sigmascape_report(const sigmascape_ground* ground, sigmascape_ground_report* report) {
+  return guarded(1, [&] {
+    (void)given(report, "report");
+    const sigmascape::render::GroundReport told = std::as_const(*given(ground, "ground").ground).report();
+    *report = {.pages = told.pages.pages,
+               .page_bytes = told.pages.bytes,
+               .loaded = told.pages.loaded,
+               .evicted = told.pages.evicted,
+               .renewed = told.pages.renewed,
+               .refused = told.pages.refused,
+               .absent = told.pages.absent,
+               .damaged = told.pages.damaged,
+               .obstacle_bytes = told.obstacles.bytes,
+               .damaged_obstacles = told.obstacles.damaged,
+               .terrain_bytes = told.terrain_bytes,
+               .terrain_faults = told.terrain_faults};
+    return 0;
+  });
+}
+
 int sigmascape_wait_for_pages(sigmascape_ground* ground) {
   return guarded(1, [&] {
     given(ground, "ground").ground->wait_until_loaded();
@@ -499,6 +520,20 @@ sigmascape_receiver* sigmascape_make_receiver(const char* radar_file, enum sigma
   return guarded<sigmascape_receiver*>(nullptr, [&] {
     (void)given(radar_file, "radar_file");
     const auto read = sigmascape::radar::read_radar_file(radar_file, sigmascape::radar::PlaceOfRadar::Optional);
+    return new sigmascape_receiver{
+        .receiver = {read.radar, polarization_from(polarization), ground_from(ground, scene), threads}};
+  });
+}
+
+sigmascape_receiver* sigmascape_make_receiver_of_text(const char* radar_text, const char* folder,
+                                                      enum sigmascape_polarization polarization,
+                                                      sigmascape_ground* ground, sigmascape_scene* scene,
+                                                      unsigned threads) {
+  return guarded<sigmascape_receiver*>(nullptr, [&] {
+    (void)given(radar_text, "radar_text");
+    const std::filesystem::path there = folder != nullptr ? folder : "";
+    const auto read =
+        sigmascape::radar::read_radar_text(radar_text, there / "radar_text", sigmascape::radar::PlaceOfRadar::Optional);
     return new sigmascape_receiver{
         .receiver = {read.radar, polarization_from(polarization), ground_from(ground, scene), threads}};
   });

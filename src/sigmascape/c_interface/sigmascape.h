@@ -55,6 +55,23 @@ int sigmascape_extent(const sigmascape_ground* ground, sigmascape_rectangle* ext
  * well, and otherwise leaves `height_m`: for a place beyond the terrain. */
 int sigmascape_ground_height(const sigmascape_ground* ground, double x_m, double y_m, double* height_m);
 
+/* What of the ground is in memory, and what could not be had. */
+typedef struct sigmascape_ground_report {
+  size_t pages, page_bytes; /* of reflectivity, there now */
+  uint64_t loaded, evicted; /* pages, since the ground was opened; evicted that goes on rising while the view
+                               stays: the memory is less than what renderers look at */
+  uint64_t renewed;         /* made anew when some of what they had lacked could be had */
+  uint64_t refused;         /* times that no page could give way, so that the memory is less than one frame
+                               looks at, or the system had none */
+  size_t absent, damaged;   /* pages that could not be had when last asked for; textures that are not as their
+                               items say */
+  size_t obstacle_bytes, damaged_obstacles; /* of what stands on the ground, where the atlas keeps it apart */
+  size_t terrain_bytes, terrain_faults;     /* tiles of terrain, and those that could not be had */
+} sigmascape_ground_report;
+
+/* Returns 0 when all went well. */
+int sigmascape_report(const sigmascape_ground* ground, sigmascape_ground_report* report);
+
 /* Returns when all pages and all terrain that frames have asked for are there, or cannot be had. For whoever would
  * rather wait than see less; renderers on other threads that go on asking make it longer. Returns 0 when all went
  * well. */
@@ -111,7 +128,9 @@ typedef struct sigmascape_target {
 typedef struct sigmascape_frame {
   size_t beams, ranges;
   const float* amplitudes_m; /* [beam][range][VV, HH, HV, VH][real, imaginary]; |a|^2 is a cross-section in m^2, the
-                                phase that of the way out and back, -4 pi r/lambda */
+                                phase that of the way out and back, -4 pi r/lambda. A point is shared by
+                                the bins about it: the sum of their |a|^2 is its cross-section, and the
+                                brightest has up to 6 dB less */
   const float* powers_m2;    /* [beam][range][VV, HH, HV, Re VV HH*]; one of the two is null */
   size_t cells, lit;         /* lattice cells looked at, and seen by the radar */
   size_t coarse, dark;       /* cells shown more coarsely than wanted, for pages were not there yet, and not at all:
@@ -202,6 +221,12 @@ typedef struct sigmascape_receiver sigmascape_receiver;
  * elevations apart and there is no ground. */
 sigmascape_receiver* sigmascape_make_receiver(const char* radar_file, enum sigmascape_polarization polarization,
                                               sigmascape_ground* ground, sigmascape_scene* scene, unsigned threads);
+/* The same of the text of such a file, for radars that change in flight. Files that it names lie in `folder`, or where
+ * the process is when that is null. */
+sigmascape_receiver* sigmascape_make_receiver_of_text(const char* radar_text, const char* folder,
+                                                      enum sigmascape_polarization polarization,
+                                                      sigmascape_ground* ground, sigmascape_scene* scene,
+                                                      unsigned threads);
 /* Null is allowed. */
 void sigmascape_free_receiver(sigmascape_receiver* receiver);
 

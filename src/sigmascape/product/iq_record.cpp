@@ -11,6 +11,7 @@
 #include "sigmascape/product/told_numbers.h"
 #include "sigmascape/radar/noise.h"
 #include "sigmascape/radar/radar_equation.h"
+#include "sigmascape/radar/window_response.h"
 
 namespace sigmascape::product {
 namespace {
@@ -35,11 +36,10 @@ std::span<const std::complex<float>> numbers_of(const Array2D<radar::ComplexChan
 
 /// Over an Earth that curves, ranges and positions are those of a space in which rays are straight, and the local frame
 /// is bent about the foot that the radar has in the middle of the interval.
-void describe_earth(IqRecord& record, const radar::Radar& radar) {
-  if (!radar.earth_refraction) return;
-  record.numbers["earth_refraction"] = *radar.earth_refraction;
-  record.numbers["earth_foot_east_m"] = radar.position.x;
-  record.numbers["earth_foot_north_m"] = radar.position.y;
+void describe_earth(IqRecord& record, double refraction, Vec3d radar_position) {
+  record.numbers["earth_refraction"] = refraction;
+  record.numbers["earth_foot_east_m"] = radar_position.x;
+  record.numbers["earth_foot_north_m"] = radar_position.y;
   record.words["positions"] =
       "of the platform: in the straight space over the k-Earth, k = earth_refraction, into which points of the local "
       "frame are bent about earth_foot: docs/iq_files.md";
@@ -103,7 +103,7 @@ void describe_antenna(IqRecord& record, const radar::Radar& radar) {
 }
 
 void describe(IqRecord& record, const radar::Radar& radar) {
-  describe_earth(record, radar);
+  if (radar.earth_refraction) describe_earth(record, *radar.earth_refraction, radar.position);
   record.words["window"] = described_taper(record, "window_", radar.waveform.window, "rectangular");
   record.words["software"] = software_name();
   record.words["radar"] = radar.name;
@@ -147,7 +147,9 @@ IqRecord iq_record(const radar::PhaseHistory& history, const radar::Radar& radar
                   {"bandwidth_hz", history.bandwidth_hz},
                   {"interval_s", static_cast<double>(history.pulses.size()) / radar.waveform.pulse_repetition_hz},
                   {"first_range_m", history.first_range_m},
-                  {"range_step_m", history.range_step_m}},
+                  {"range_step_m", history.range_step_m},
+                  {"range_cell_m", speed_of_light_mps / (2.0 * history.bandwidth_hz) *
+                                       radar::WindowResponse(radar.waveform.window).noise_bandwidth()}},
       .words = std::move(words)};
   for (const radar::Pulse& pulse : history.pulses) {
     record.slow.values.push_back(pulse.time_s);
@@ -206,22 +208,30 @@ IqRecord iq_record(const radar::StripmapImage& image, const radar::Radar& radar,
 }
 
 IqRecord iq_record(const radar::RangeAzimuthGrid& grid, std::span<const std::complex<float>> amplitudes_m,
-                   std::vector<radar::Motion> platform, double frequency_hz, std::map<std::string, std::string> words) {
+                   std::vector<radar::Motion> platform, double frequency_hz, const radar::CurvedEarth& earth,
+                   std::map<std::string, std::string> words) {
   words["software"] = software_name();
   std::map<std::string, double> numbers = numbers_taken_from(words);
   numbers.insert({{"frequency_hz", frequency_hz}, {"range_step_m", grid.range_step_m}});
-  return {.kind = "live frame",
-          .unit = "m",
-          .quantity = amplitude_words,
-          .slow = {"azimuth", "rad",
-                   evenly(grid.first_azimuth_rad + grid.azimuth_step_rad / 2.0, grid.azimuth_step_rad, grid.azimuths)},
-          .fast = {"slant_range", "m",
-                   evenly(grid.first_range_m + grid.range_step_m / 2.0, grid.range_step_m, grid.ranges)},
-          .polarizations = {"VV", "HH", "HV", "VH"},
-          .samples = amplitudes_m,
-          .platform = std::move(platform),
-          .numbers = std::move(numbers),
-          .words = std::move(words)};
+  IqRecord record{
+      .kind = "live frame",
+      .unit = "m",
+      .quantity = amplitude_words,
+      .slow = {"azimuth", "rad",
+               evenly(grid.first_azimuth_rad + grid.azimuth_step_rad / 2.0, grid.azimuth_step_rad, grid.azimuths)},
+      .fast = {"slant_range", "m",
+               evenly(grid.first_range_m + grid.range_step_m / 2.0, grid.range_step_m, grid.ranges)},
+      .polarizations = {"VV", "HH", "HV", "VH"},
+      .samples = amplitudes_m,
+      .platform = std::move(platform),
+      .numbers = std::move(numbers),
+      .words = std::move(words)};
+  if (earth.curvature_per_m() == 0.0) return record;
+  record.numbers["earth_refraction"] = earth.refraction;
+  record.words["positions"] =
+      "of the platform: in the local frame, which is bent about the platform's foot where the beam was drawn: "
+      "docs/iq_files.md";
+  return record;
 }
 
 }  // namespace sigmascape::product

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "sigmascape/radar/curved_earth.h"
 #include "sigmascape/radar/phase_history.h"
 #include "sigmascape/radar/radar.h"
 #include "sigmascape/radar/range_azimuth_image.h"
@@ -37,9 +38,9 @@ struct IqRecord {
 };
 
 /// What comes out of `simulate::phase_history`, of `simulate::range_doppler_image` and `stripmap_image`, and of a live
-/// renderer: `amplitudes_m` is [beam][range][VV, HH, HV, VH], `platform` one for all beams or one for each. `words`
-/// says where it comes from, of which what is a number becomes one (told_numbers.h); the radar's own facts are added.
-/// What is passed must outlive the record.
+/// renderer: `amplitudes_m` is [beam][range][VV, HH, HV, VH], `platform` one for all beams or one for each, in the
+/// local frame over that Earth. `words` says where it comes from, of which what is a number becomes one
+/// (told_numbers.h); the radar's own facts are added. What is passed must outlive the record.
 [[nodiscard]] IqRecord iq_record(const radar::PhaseHistory& history, const radar::Radar& radar,
                                  std::map<std::string, std::string> words = {});
 [[nodiscard]] IqRecord iq_record(const radar::RangeDopplerImage& image, const radar::Radar& radar,
@@ -48,6 +49,7 @@ struct IqRecord {
                                  std::map<std::string, std::string> words = {});
 [[nodiscard]] IqRecord iq_record(const radar::RangeAzimuthGrid& grid, std::span<const std::complex<float>> amplitudes_m,
                                  std::vector<radar::Motion> platform, double frequency_hz,
+                                 const radar::CurvedEarth& earth = radar::CurvedEarth::flat(),
                                  std::map<std::string, std::string> words = {});
 
 }  // namespace sigmascape::product

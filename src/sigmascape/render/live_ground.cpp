@@ -155,6 +155,14 @@ geo::GeographicPosition LiveGround::place_on_globe(Vec2d place) const {
   return on_globe;
 }
 
+GroundReport LiveGround::report() const {
+  const terrain::TerrainPyramid& tiles = terrain_.pyramid();
+  return {.pages = pages_.report(),
+          .obstacles = obstacles_ ? std::as_const(*obstacles_).cache().report() : CacheReport{},
+          .terrain_bytes = tiles.resident_bytes(),
+          .terrain_faults = tiles.faults().size()};
+}
+
 void LiveGround::wait_until_loaded() {
   pages_.wait_until_loaded();
   terrain_.windows().wait_until_loaded();

@@ -15,6 +15,14 @@
 
 namespace sigmascape::render {
 
+/// What of the ground is in memory, and what could not be had.
+struct GroundReport {
+  CacheReport pages;      ///< of reflectivity
+  CacheReport obstacles;  ///< what stands on the ground, of an atlas that keeps that apart
+  std::size_t terrain_bytes = 0;
+  std::size_t terrain_faults = 0;  ///< tiles that are missing or damaged, as far as they were asked for
+};
+
 /// The ground as live renderers share it: pages of reflectivity that come and go, coarse ones that stay, the terrain
 /// and what stands on it, of any size. One for each frequency; safe to use from any number of renderers at once.
 class LiveGround {
@@ -51,6 +59,7 @@ class LiveGround {
   [[nodiscard]] Vec2d place_in_frame(geo::GeographicPosition place) const;
   /// And where a place of the frame lies on the globe. Throws Error for one that lies nowhere.
   [[nodiscard]] geo::GeographicPosition place_on_globe(Vec2d place) const;
+  [[nodiscard]] GroundReport report() const;
   /// Of the levels that the store has.
   [[nodiscard]] std::size_t coarsest_level() const { return pages_.source().levels() - 1; }
   /// Returns when everything that frames have asked for is there or cannot be: for callers who would rather wait than

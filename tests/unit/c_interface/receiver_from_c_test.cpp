@@ -98,6 +98,46 @@ TEST_F(ReceiverFromC, HearsWhatTheCppInterfaceHears) {
   sigmascape_free_receiver(receiver);
 }
 
+TEST_F(ReceiverFromC, IsMadeOfTheTextOfAFile) {
+  settle(said_in_c(view_.pose()));
+  std::ifstream file(radar_file());
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  const std::string folder = std::filesystem::path(radar_file()).parent_path().string();
+  std::vector<std::vector<float>> signals;
+  for (sigmascape_receiver* receiver :
+       {sigmascape_make_receiver(radar_file().c_str(), SIGMASCAPE_VV, ground_, nullptr, 1),
+        sigmascape_make_receiver_of_text(text.c_str(), folder.c_str(), SIGMASCAPE_VV, ground_, nullptr, 1)}) {
+    ASSERT_NE(receiver, nullptr) << sigmascape_last_error();
+    sigmascape_heard heard;
+    ASSERT_EQ(sigmascape_hear(receiver, renderer_, &heard), 0) << sigmascape_last_error();
+    const auto signal = numbers(heard);
+    signals.emplace_back(signal.begin(), signal.end());
+    sigmascape_free_receiver(receiver);
+  }
+  EXPECT_EQ(signals[0], signals[1]);
+  EXPECT_EQ(
+      sigmascape_make_receiver_of_text("[radar]\nfrequency_ghz = -1\n", nullptr, SIGMASCAPE_VV, ground_, nullptr, 1),
+      nullptr);
+  EXPECT_THAT(sigmascape_last_error(), testing::HasSubstr("radar.frequency_ghz"));
+  EXPECT_EQ(sigmascape_make_receiver_of_text(nullptr, nullptr, SIGMASCAPE_VV, ground_, nullptr, 1), nullptr);
+}
+
+TEST_F(ReceiverFromC, TheGroundTellsWhatOfItIsThere) {
+  settle(said_in_c(view_.pose()));
+  sigmascape_ground_report report;
+  ASSERT_EQ(sigmascape_report(ground_, &report), 0) << sigmascape_last_error();
+  EXPECT_GT(report.pages, 0U);
+  EXPECT_GE(report.page_bytes, report.pages * 256U * 256U);
+  EXPECT_GE(report.loaded, report.pages);
+  EXPECT_EQ(report.evicted, 0U);
+  EXPECT_EQ(report.refused, 0U);
+  EXPECT_EQ(report.damaged, 0U);
+  EXPECT_GT(report.terrain_bytes, 0U);
+  EXPECT_EQ(report.terrain_faults, 0U);
+  EXPECT_NE(sigmascape_report(ground_, nullptr), 0);
+  EXPECT_NE(sigmascape_report(nullptr, &report), 0);
+}
+
 TEST_F(ReceiverFromC, StepsComeToTheWholeFrame) {
   sigmascape_pose before = said_in_c(view_.pose());
   before.position_m[0] += 200.0;
