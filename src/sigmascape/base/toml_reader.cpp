@@ -208,6 +208,10 @@ bool TomlSection::is_table(std::string_view key) const {
   return has(key) && find(*table_->table, key)->is_table();
 }
 
+bool TomlSection::is_list(std::string_view key) const {
+  return has(key) && find(*table_->table, key)->is_array();
+}
+
 std::vector<std::string> TomlSection::keys() const {
   std::vector<std::string> names;
   for (const auto& [key, value] : *table_->table) names.emplace_back(key.str());

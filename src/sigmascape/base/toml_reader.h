@@ -41,6 +41,7 @@ class TomlSection {
 
   [[nodiscard]] bool has(std::string_view key) const;
   [[nodiscard]] bool is_table(std::string_view key) const;
+  [[nodiscard]] bool is_list(std::string_view key) const;
   [[nodiscard]] std::vector<std::string> keys() const;
 
   [[nodiscard]] std::string text(std::string_view key) const;

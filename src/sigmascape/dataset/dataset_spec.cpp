@@ -40,7 +40,7 @@ std::string remedy_of_turned_ends(double first, double last, Interval allowed) {
 Range range_of(const TomlSection& section, std::string_view key, Interval allowed) {
   constexpr const char* remedy = "give its least and its greatest number, as in [10, 20]";
   if (!section.has(key)) throw section.fault(key, "is missing", remedy);
-  const auto ends = section.numbers(key, allowed);
+  const auto ends = section.is_list(key) ? section.numbers(key, allowed) : std::vector<double>();
   if (ends.size() != 2) throw section.fault(key, "is not a range", remedy);
   if (ends[0] > ends[1])
     throw section.fault(key, fmt::format("begins at {} and ends before that, at {}", ends[0], ends[1]),
@@ -217,7 +217,11 @@ TargetClass target_class(const TomlSection& section) {
 }
 
 /// Targets that the map could not show.
-void check_places(const TomlSection& section, const TargetClass& target, const DatasetSpec& spec) {
+void check_shows(const TomlSection& section, const TargetClass& target, const DatasetSpec& spec) {
+  const auto is_hv = [](radar::Polarization of) { return of == radar::Polarization::HV; };
+  if (std::ranges::all_of(spec.polarizations, is_hv))
+    throw section.fault("rcs_dbsm", "is in VV and HH, and images of HV alone show nothing of it",
+                        "add one of the others to dataset.polarizations, or leave the targets out");
   const double half_m = static_cast<double>(spec.cells) * spec.cell_m / 2.0;
   for (const auto& [key, range] : {std::pair{"east_m", target.east_m}, {"north_m", target.north_m}}) {
     if (range && (range->lowest < -half_m || range->highest > half_m))
@@ -371,7 +375,7 @@ DatasetSpec read_dataset_spec(const std::filesystem::path& path) {
     const std::string& name = spec.targets.back().name;
     if (std::ranges::count(spec.targets, name, &TargetClass::name) > 1)
       throw target.fault("name", "'" + name + "' is that of another class of targets", "give each class its own");
-    check_places(target, spec.targets.back(), spec);
+    check_shows(target, spec.targets.back(), spec);
   }
   file.refuse_unknown_keys();
   return spec;

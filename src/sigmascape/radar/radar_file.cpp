@@ -55,6 +55,8 @@ RadarFile described_radar(const TomlSection& file, const TomlSection& section) {
   radar.name = section.text_or("name", "radar");
   radar.frequency_hz = section.number("frequency_ghz", bounds::frequencies_ghz) * 1e9;
   radar.polarization = polarization_of(section);
+  if (!section.has("range_resolution_m") && !states(file, "waveform", "bandwidth_mhz"))
+    throw section.missing("range_resolution_m", "give it in m, or waveform.bandwidth_mhz, from which it follows");
   radar.range_resolution_m = states(file, "waveform", "bandwidth_mhz")
                                  ? section.number_or("range_resolution_m", bounds::range_resolutions_m, 0.0)
                                  : section.number("range_resolution_m", bounds::range_resolutions_m);

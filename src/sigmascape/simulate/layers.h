@@ -32,7 +32,8 @@ enum class LayerKind {
 [[nodiscard]] LayerKind layer_kind(std::string_view name);
 [[nodiscard]] std::string_view name_of(LayerKind kind);
 
-/// Behind crowns the ground counts as hidden when less than this part of a wave comes through, one way.
+/// Behind crowns the ground counts as hidden when less than this part of its power comes back, through gaps that both
+/// ways share or through a medium twice (docs/physics/vegetation.md).
 inline constexpr double crown_hides_below = 0.5;
 
 /// The layers of the full scene on its terrain, by rays: what level of detail 0 sees. Echoes of a cell that is in

@@ -90,7 +90,8 @@ class CellProbe {
     const auto way_m = static_cast<float>(length(radar - point) - ray_lift_m);
     crowns_.begin(surfaces_);
     return !geometry_.occluded(start, to_radar.to<float>(), crowns_, way_m) &&
-           std::exp(-crowns_.optical_depth(way_m)) >= static_cast<float>(crown_hides_below);
+           std::exp(-crowns_.optical_depth(way_m) - crowns_.return_depth(way_m)) >=
+               static_cast<float>(crown_hides_below);
   }
 
   Top seen_from_above(const LayerPlace& place) {

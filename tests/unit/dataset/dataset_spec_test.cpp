@@ -36,6 +36,8 @@ TEST_F(DatasetSpecFile, TakesWholeNumbersOfSamples) {
 TEST_F(DatasetSpecFile, SaysWhichRangeIsMissing) {
   EXPECT_THAT(fault_of("4", "[[targets]]\nname = \"car\"\nnumber = [1, 2]\n"),
               HasSubstr("rcs_dbsm: is missing; give its least and its greatest number, as in [10, 20]"));
+  EXPECT_THAT(fault_of("4", "[[targets]]\nname = \"car\"\nnumber = 3\nrcs_dbsm = [3, 9]\n"),
+              HasSubstr("number: is not a range; give its least and its greatest number, as in [10, 20]"));
   EXPECT_THAT(fault_of("4\npolarizations = []"), HasSubstr("dataset.polarizations: names none; choose among VV"));
 }
 
@@ -164,6 +166,17 @@ TEST_F(DatasetSpecFile, TakesNoTwoClassesOfOneName) {
   const std::string boat = "[[targets]]\nname = \"boat\"\nnumber = [1, 2]\nrcs_dbsm = [10, 20]\n";
   EXPECT_EQ(fault_of("4", boat), "");
   EXPECT_THAT(fault_of("4", boat + boat), HasSubstr("name: 'boat' is that of another class of targets; give each"));
+}
+
+TEST_F(DatasetSpecFile, TakesNoTargetsThatNoImageShows) {
+  const std::string boat = "[[targets]]\nname = \"boat\"\nnumber = [1, 2]\nrcs_dbsm = [10, 20]\n";
+  EXPECT_THAT(
+      fault_of("4\npolarizations = [\"HV\"]", boat),
+      HasSubstr("rcs_dbsm: is in VV and HH, and images of HV alone show nothing of it; add one of the others to "
+                "dataset.polarizations"));
+  for (const char* other : {"VV", "HH", "sum"})
+    EXPECT_EQ(fault_of(std::string("4\npolarizations = [\"HV\", \"") + other + "\"]", boat), "") << other;
+  EXPECT_EQ(fault_of("4\npolarizations = [\"HV\"]"), "");
 }
 
 TEST_F(DatasetSpecFile, FillsVariablesIntoThePathsOfAllAtlases) {

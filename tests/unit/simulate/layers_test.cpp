@@ -10,6 +10,7 @@
 
 #include "sigmascape/base/hash.h"
 #include "sigmascape/scene/obstacle_raster.h"
+#include "sigmascape/scene/solid_mesh.h"
 #include "sigmascape/simulate/simulate.h"
 
 namespace sigmascape::simulate {
@@ -98,6 +99,31 @@ TEST_P(Layers, ABoxHidesItsFootprintAndHeightOverTangent) {
     EXPECT_NEAR(shadow.south_m, 0.0, cell_m) << elevation_deg;
     EXPECT_NEAR(shadow.north_m, depth_m + height_m / std::tan(radians_from_deg(elevation_deg)), cell_m)
         << elevation_deg;
+  }
+}
+
+/// A flat crown of 10 m in its middle, 20 m up and 120 m wide, seen under 80°: s = 10 m/sin 80° · √(1 − (y/60 m)²) of
+/// it take e^−κs of the power out and back where they share gaps, and else e^−2κs, less than half where s is above 6.9
+/// m.
+TEST_P(Layers, ACrownHidesWhereLessThanHalfOfThePowerComesBack) {
+  const double kappa = 0.05, elevation = radians_from_deg(80.0);
+  for (const bool shares_gaps : {true, false}) {
+    scene::Scene scene = physics_test::level_scene(lambert("ground", 0.5), 512.0);
+    const scatter::CrownParameters leaves{.extinction_per_m = kappa, .shares_gaps = shares_gaps};
+    const auto medium = scene.material_index({.name = "leaves", .model = leaves, .source = {}});
+    scene.prototypes.push_back(scene::wall_mesh(0.001F, 0.001F, 0));
+    scene.crowns.push_back({.prototype = 0, .shape = {{0.0F, 0.0F, 20.0F}, {60.0F, 60.0F, 5.0F}}, .medium = medium});
+    scene.instances.push_back({});
+    const auto stack = layers_of(GetParam(), scene, radar_in_the_south(80.0), {LayerKind::Shadow});
+    if (shares_gaps) {
+      EXPECT_EQ(set_cells(stack.layers[0].values), 0U);
+      continue;
+    }
+    const double longest_m = 10.0 / std::sin(elevation), hiding_m = std::log(2.0) / (2.0 * kappa);
+    const double half_m = 60.0 * std::sqrt(1.0 - std::pow(hiding_m / longest_m, 2.0));
+    const Stretch shadow = stretch_of(stack.layers[0].values);
+    EXPECT_NEAR(shadow.south_m, 20.0 / std::tan(elevation) - half_m, 2.0 * cell_m);
+    EXPECT_NEAR(shadow.north_m, 20.0 / std::tan(elevation) + half_m, 2.0 * cell_m);
   }
 }
 
