@@ -19,6 +19,8 @@
 #include "sigmascape/simulate/map_warnings.h"
 #include "sigmascape/simulate/recording_interval.h"
 #include "sigmascape/simulate/scatterer_spacing.h"
+#include "sigmascape/simulate/target_sight.h"
+#include "sigmascape/simulate/targets_seen.h"
 
 namespace sigmascape::cli {
 namespace {
@@ -136,12 +138,17 @@ std::optional<RecordedPulses> write_iq_files(const IqFiles& files, const IqReque
   const simulate::CoherentScene scene{
       &request.scene.terrain, render::AtlasReflectivity{&textures, frequency_hz, level}, request.targets,
       request.radar.wind_mps > 0.0 ? simulate::windblown_of(request.scene) : simulate::Windblown{}};
+  const auto seen =
+      simulate::targets_seen(request.targets, request.radar, request.area,
+                             {request.scene.terrain, simulate::obstacles_of(textures), radar::earth_of(request.radar)});
+  if (!request.is_beside_a_map) warn_of(request.radar, seen.warnings);
+  Provenance words = words_of_pulses(files, request, frequency_hz);
+  words["targets_seen"] = std::to_string(seen.count);
   const Stopwatch watch;
   const auto history = simulate::phase_history(scene, request.radar, request.area, settings);
   const double seconds = watch.seconds();
   warn_of(request.radar, receiver::output_warnings(history));
-  product::write_iq(files.file,
-                    product::iq_record(history, request.radar, words_of_pulses(files, request, frequency_hz)));
+  product::write_iq(files.file, product::iq_record(history, request.radar, words));
   return told(history, request.radar.waveform.pulse_repetition_hz, seconds);
 }
 

@@ -52,6 +52,8 @@
 #include "sigmascape/simulate/mode_image.h"
 #include "sigmascape/simulate/placement.h"
 #include "sigmascape/simulate/simulate.h"
+#include "sigmascape/simulate/target_sight.h"
+#include "sigmascape/simulate/targets_seen.h"
 
 namespace sigmascape::cli {
 namespace {
@@ -84,11 +86,19 @@ struct Rendered {
   std::optional<radar::ObstacleMap> obstacles = {};  ///< of the atlas, for the layers that are asked for
 };
 
+/// Says on standard error, and in what the files tell, what of its targets the map shows.
+void tell_of_targets(const radar::Radar& radar, const simulate::TargetsSeen& seen, Provenance& provenance) {
+  warn_of(radar, seen.warnings);
+  provenance["targets_seen"] = std::to_string(seen.count);
+}
+
 Rendered traced(const RenderOptions& options, const scene::Scene& scene, const radar::Radar& radar,
                 const radar::GroundGrid& grid) {
   const trace::SceneGeometry geometry(scene, trace::Footing::Terrain);
   simulate::TraceSettings settings = options.trace;
   settings.cell_m = grid.cell_m;
+  Provenance provenance = simulate::provenance_of_traced(settings, scene);
+  tell_of_targets(radar, simulate::targets_seen(scene, geometry, settings.targets, radar, grid.extent()), provenance);
   trace::TraceCounts counts;
   TerminalProgress progress;
   const Stopwatch watch;
@@ -96,7 +106,7 @@ Rendered traced(const RenderOptions& options, const scene::Scene& scene, const r
                         simulate::traced_image(scene, geometry, radar, grid.extent(), settings, counts, &progress)};
   rendered.seconds = watch.seconds();
   rendered.cost = {{"paths", counts.paths}, {"rays", counts.rays}};
-  rendered.provenance = simulate::provenance_of_traced(settings, scene);
+  rendered.provenance = std::move(provenance);
   return rendered;
 }
 
@@ -165,6 +175,10 @@ Rendered baked(const RenderOptions& options, const scene::Scene& scene, const at
   rendered.cost = {{"ground_samples", counts.ground_samples}, {"visible", counts.visible}};
   rendered.provenance =
       simulate::provenance_of_baked(store.description(), radar, settings, options.trace.seed, options.trace.dwell);
+  tell_of_targets(radar,
+                  simulate::targets_seen(targets, radar, grid.extent(),
+                                         {.terrain = scene.terrain, .obstacles = simulate::obstacles_of(textures)}),
+                  rendered.provenance);
   return rendered;
 }
 
@@ -388,7 +402,8 @@ void render(RenderOptions options, std::optional<radar::Polarization> polarizati
                          options.trace.dwell,
                          options.time_s,
                          options.trace.threads,
-                         origin};
+                         origin,
+                         has_map};
   check(options.iq, pulses);
   nlohmann::ordered_json summary;
   for (const Written& written : files_of(options)) summary[written.word] = written.file;

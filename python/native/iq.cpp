@@ -20,6 +20,7 @@
 #include "sigmascape/base/error.h"
 #include "sigmascape/product/iq_file.h"
 #include "sigmascape/radar/coherent_plan.h"
+#include "sigmascape/radar/coherent_warnings.h"
 #include "sigmascape/radar/radar_bounds.h"
 #include "sigmascape/radar/radar_file.h"
 #include "sigmascape/receiver/receiver_output.h"
@@ -29,6 +30,8 @@
 #include "sigmascape/simulate/placement.h"
 #include "sigmascape/simulate/recording_interval.h"
 #include "sigmascape/simulate/scatterer_spacing.h"
+#include "sigmascape/simulate/target_sight.h"
+#include "sigmascape/simulate/targets_seen.h"
 
 namespace sigmascape::python {
 namespace {
@@ -65,10 +68,6 @@ template <typename Signal>
 using Maker = Signal (*)(const simulate::CoherentScene&, const radar::Radar&, const radar::Rectangle&,
                          const simulate::CoherentSettings&);
 
-/// The spacing of scatterers that a signal of an area has when none is given.
-using UsualSpacing = double (*)(const radar::Radar&, const radar::Rectangle&, const terrain::HeightField&,
-                                const simulate::CoherentSettings&);
-
 void warn_of_recording(const radar::Radar& radar, const radar::Rectangle& area, const terrain::HeightField& terrain,
                        std::span<const radar::Target> targets, std::optional<double> asked_s,
                        const simulate::CoherentSettings& settings) {
@@ -86,7 +85,7 @@ constexpr const char* still_leaves =
 
 /// Of a recording `recorded_s` is how long it is to be, which follows from the radar's mode where it is left out.
 template <typename Signal>
-Described<Signal> made(Maker<Signal> make, UsualSpacing usual_spacing_m, const Plan& plan_of, const LoadedAtlas& atlas,
+Described<Signal> made(Maker<Signal> make, const Plan& plan_of, const LoadedAtlas& atlas,
                        const radar::RadarFile& radar_file, const Targets& given, double time_s,
                        simulate::CoherentSettings settings, std::optional<double> recorded_s = {}) {
   constexpr bool has_cells = !std::is_same_v<Signal, radar::PhaseHistory>;
@@ -96,7 +95,7 @@ Described<Signal> made(Maker<Signal> make, UsualSpacing usual_spacing_m, const P
   const radar::RadarFile asked = radar_file;
   return long_call([&]() -> Described<Signal> {
     const atlas::AtlasDescription& description = atlas.description();
-    const auto radar = simulate::placed_radar(asked, description.frame, atlas.terrain(), description.extent, time_s);
+    auto radar = simulate::placed_radar(asked, description.frame, atlas.terrain(), description.extent, time_s);
     const auto area = simulate::map_grid(asked.map, description.extent).extent();
     warn_of(radar, (has_cells ? simulate::map_warnings : simulate::area_warnings)(radar, asked.map, atlas.terrain(),
                                                                                   description.extent));
@@ -111,6 +110,7 @@ Described<Signal> made(Maker<Signal> make, UsualSpacing usual_spacing_m, const P
     const Vec3d aim{centre.x, centre.y, atlas.terrain().height_at(centre)};
     radar::Rectangle answering = area;
     std::map<std::string, double> numbers;
+    double usual_spacing_m = 0.0;
     if (const auto planned = plan_of(radar, aim)) {
       const radar::CoherentPlan& plan = planned->plan;
       warn_of(radar, radar::plan_warnings(planned->radar, plan, area, aim.z));
@@ -119,9 +119,12 @@ Described<Signal> made(Maker<Signal> make, UsualSpacing usual_spacing_m, const P
       settings.mapped = area;
       answering = simulate::answering_area(planned->radar, plan, area, aim.z);
       numbers = simulate::numbers_of_one_look(plan);
+      usual_spacing_m = simulate::scatterer_spacing_m(radar, settings.along_resolution_m);
+      radar.mode = planned->radar.mode;
+    } else {
+      usual_spacing_m = simulate::pulse_scatterer_spacing_m(radar, area, atlas.terrain(), settings.interval_s);
     }
-    if (settings.scatterer_spacing_m == 0.0)
-      settings.scatterer_spacing_m = usual_spacing_m(radar, area, atlas.terrain(), settings);
+    if (settings.scatterer_spacing_m == 0.0) settings.scatterer_spacing_m = usual_spacing_m;
     const simulate::CoherentScene scene{
         &atlas.terrain(), render::reflectivity_of(atlas.textures(), radar.frequency_hz, settings.scatterer_spacing_m),
         targets};
@@ -132,26 +135,13 @@ Described<Signal> made(Maker<Signal> make, UsualSpacing usual_spacing_m, const P
     words["wind_mps"] = "0";
     words["look_side"] = simulate::look_side(radar, area);
     if constexpr (!has_cells) simulate::tell_of_mode(radar, area, atlas.terrain(), words);
+    const auto seen = simulate::targets_seen(
+        targets, radar, area, {atlas.terrain(), simulate::obstacles_of(atlas.textures()), radar::earth_of(radar)});
+    warn_of(radar, seen.warnings);
+    words["targets"] = std::to_string(targets.size());
+    words["targets_seen"] = std::to_string(seen.count);
     return {make(scene, radar, answering, settings), radar, std::move(words), std::move(numbers)};
   });
-}
-
-double spacing_of_pulses_m(const radar::Radar& radar, const radar::Rectangle& area, const terrain::HeightField& terrain,
-                           const simulate::CoherentSettings& settings) {
-  return simulate::pulse_scatterer_spacing_m(radar, area, terrain, settings.interval_s);
-}
-
-double spacing_of_sharpened_m(const radar::Radar& radar, const radar::Rectangle& area,
-                              const terrain::HeightField& terrain, const simulate::CoherentSettings& settings) {
-  const Vec2d middle = area.centre();
-  return simulate::scatterer_spacing_m(
-      radar,
-      simulate::resolution_of_interval_m(radar, {middle.x, middle.y, terrain.height_at(middle)}, settings.interval_s));
-}
-
-double spacing_of_strip_m(const radar::Radar& radar, const radar::Rectangle&, const terrain::HeightField&,
-                          const simulate::CoherentSettings& settings) {
-  return simulate::scatterer_spacing_m(radar, settings.along_resolution_m);
 }
 
 Described<radar::PhaseHistory> phase_history(const LoadedAtlas& atlas, const radar::RadarFile& radar,
@@ -159,7 +149,7 @@ Described<radar::PhaseHistory> phase_history(const LoadedAtlas& atlas, const rad
                                              double scatterer_spacing_m, Seed seed, double time_s, Dwell dwell,
                                              Threads threads) {
   const auto unplanned = [](const radar::Radar&, Vec3d) { return std::optional<Planned>(); };
-  auto pulses = made(&simulate::phase_history, &spacing_of_pulses_m, unplanned, atlas, radar, targets, time_s,
+  auto pulses = made(&simulate::phase_history, unplanned, atlas, radar, targets, time_s,
                      {.scatterer_spacing_m = scatterer_spacing_m,
                       .seed = seed,
                       .dwell = dwell,
@@ -195,7 +185,7 @@ Described<radar::RangeDopplerImage> range_doppler(const LoadedAtlas& atlas, cons
                              interval_s.value_or(simulate::usual_interval_s)),
                    aim);
   };
-  return made(&simulate::range_doppler_image, &spacing_of_sharpened_m, plan, atlas, radar, targets, time_s,
+  return made(&simulate::range_doppler_image, plan, atlas, radar, targets, time_s,
               {.scatterer_spacing_m = scatterer_spacing_m, .seed = seed, .dwell = dwell, .threads = threads});
 }
 
@@ -213,7 +203,7 @@ Described<radar::StripmapImage> stripmap(const LoadedAtlas& atlas, const radar::
     if (placed.mode != radar::Mode::Stripmap) strip.processing = {};
     return planned(strip, aim);
   };
-  return made(&simulate::stripmap_image, &spacing_of_strip_m, plan, atlas, radar, targets, time_s,
+  return made(&simulate::stripmap_image, plan, atlas, radar, targets, time_s,
               {.scatterer_spacing_m = scatterer_spacing_m, .seed = seed, .dwell = dwell, .threads = threads});
 }
 

@@ -26,6 +26,8 @@
 #include "sigmascape/simulate/mode_image.h"
 #include "sigmascape/simulate/placement.h"
 #include "sigmascape/simulate/simulate.h"
+#include "sigmascape/simulate/target_sight.h"
+#include "sigmascape/simulate/targets_seen.h"
 
 namespace sigmascape::python {
 namespace {
@@ -79,6 +81,13 @@ struct Wish {
   const std::vector<radar::Target>& targets;
 };
 
+/// Tells Python, and in the map's metadata, what of its targets the map shows.
+void tell_of_targets(const radar::Radar& radar, const simulate::TargetsSeen& seen,
+                     std::map<std::string, std::string>& provenance) {
+  warn_of(radar, seen.warnings);
+  provenance["targets_seen"] = std::to_string(seen.count);
+}
+
 Seen traced(const LoadedScene* scene, const Wish& wish, const simulate::TraceSettings& settings,
             ProgressListener& progress) {
   if (scene == nullptr) throw Error("scene", "is None at level of detail 0", "give the Scene that is to be traced");
@@ -87,10 +96,15 @@ Seen traced(const LoadedScene* scene, const Wish& wish, const simulate::TraceSet
                 fmt::format("0 traces power alone, and {} needs amplitudes", simulate::word_for(wish.radar.mode)),
                 "give the atlas that bake() made, or set the radar's mode to 'real-beam'");
   }
+  auto provenance = simulate::provenance_of_traced(settings, scene->scene());
+  tell_of_targets(
+      wish.radar,
+      simulate::targets_seen(scene->scene(), scene->geometry(), settings.targets, wish.radar, wish.grid.extent()),
+      provenance);
   trace::TraceCounts counts;
   auto image = simulate::traced_image(scene->scene(), scene->geometry(), wish.radar, wish.grid.extent(), settings,
                                       counts, &progress);
-  return {std::move(image), {}, simulate::provenance_of_traced(settings, scene->scene())};
+  return {std::move(image), {}, std::move(provenance)};
 }
 
 Seen coherent(const atlas::Atlas& textures, const Wish& wish, const LoadedScene* scene, int level_of_detail,
@@ -126,12 +140,16 @@ Seen baked(const LoadedAtlas* atlas, const Wish& wish, const render::RenderSetti
   }
   if (wish.radar.mode != radar::Mode::RealBeam)
     return coherent(atlas->textures(), wish, scene, settings.level_of_detail, effort);
+  auto provenance =
+      simulate::provenance_of_baked(atlas->description(), wish.radar, settings, effort.seed, effort.dwell);
+  tell_of_targets(wish.radar,
+                  simulate::targets_seen(wish.targets, wish.radar, wish.grid.extent(),
+                                         {*wish.ground.terrain, simulate::obstacles_of(atlas->textures())}),
+                  provenance);
   render::RenderCounts counts;
   auto image = simulate::baked_image(atlas->textures(), *wish.ground.terrain, wish.radar, wish.grid.extent(), settings,
                                      counts, effort.dwell);
-  return {std::move(image),
-          {},
-          simulate::provenance_of_baked(atlas->description(), wish.radar, settings, effort.seed, effort.dwell)};
+  return {std::move(image), {}, std::move(provenance)};
 }
 
 /// Sees, and makes of it what `map_of(seen, wish)` does.
@@ -233,7 +251,8 @@ void add_render(py::module_& module) {
       "The PowerMap that `radar` receives: float32 [row, column] in W for VV, HH and HV over the cells of render()'s\n"
       "map. The mean power, without speckle, of one compressed pulse at the antenna's terminals when the beam points "
       "at\n"
-      "the cell and the receiver samples there: the radar equation over the bin at the cell. A real beam's alone; in\n"
+      "the cell and the receiver samples there: the radar equation over the bin at the cell, the loss of the\n"
+      "pulse's window included (1.15 dB of the usual one). A real beam's alone; in\n"
       "other modes Error. Arguments as for render().");
 }
 

@@ -268,7 +268,7 @@ def test_what_cannot_be_written_is_refused(atlas, pulses, moving_radar, tmp_path
         sigmascape.range_doppler(atlas, still, interval_s=0.05)
     assert np.isfinite(sigmascape.phase_history(atlas, still, interval_s=0.01).samples).all()
     for interval_s in [-1.0, 0.0, float("nan")]:
-        with pytest.raises(sigmascape.Error, match="coherent interval: is .* s; give more than 0"):
+        with pytest.raises(sigmascape.Error, match="interval_s: is .* s; give more than 0"):
             sigmascape.phase_history(atlas, moving_radar, interval_s=interval_s)
     (tmp_path / "file").write_text("")
     with pytest.raises(Exception):
@@ -327,6 +327,18 @@ def test_slant_images_say_the_same_under_every_ending(h5py, small_place, tmp_pat
     radar, atlas = sigmascape.Radar.read(tmp_path / "radar.toml"), sigmascape.Atlas(small_place / "atlas")
     ours = (sigmascape.stripmap if kind == "stripmap" else sigmascape.range_doppler)(atlas, radar)
     assert np.array_equal(ours.samples, samples), "with the ground around the map that answers in its outermost cells"
+
+
+@pytest.mark.parametrize("slant_range_km", np.linspace(20.0, 29.0, 6))
+def test_slant_images_over_the_round_earth_have_the_scatterers_of_the_command_line(small_place, tmp_path, slant_range_km):
+    """Their spacing goes by steps, and where the resolution is that of range it stands right on one."""
+    text = (small_place / "radar.toml").read_text().replace("[position]", "earth_refraction = 1.3333\n[position]")
+    text = "\n".join(f"slant_range_km = {slant_range_km}" if line.startswith("slant_range_km") else line for line in text.splitlines())
+    (tmp_path / "radar.toml").write_text(text + "\n[mode]\nkind = \"spotlight\"\n")
+    subprocess.run([os.environ["SIGMASCAPE_CLI"], "render", tmp_path / "radar.toml", "--scene", small_place / "scene.toml", "--atlas",
+                    small_place / "atlas", "--lod", "1", "--slant-image", tmp_path / "image.npy"], check=True)
+    ours = sigmascape.range_doppler(sigmascape.Atlas(small_place / "atlas"), sigmascape.Radar.read(tmp_path / "radar.toml"))
+    assert np.array_equal(ours.samples, np.load(tmp_path / "image.npy"))
 
 
 @pytest.mark.parametrize("mode", ["", "[mode]\nkind = \"spotlight\"\nalong_resolution_m = 2\n"])

@@ -302,3 +302,28 @@ def test_what_cannot_be_is_refused(scene, atlas, flying):
         sigmascape.Target((0.0, 0.0), swerling=7)
     with pytest.raises(sigmascape.Error, match="outside the terrain"):
         sigmascape.render(None, flying, atlas=atlas, targets=[sigmascape.Target((9e5, 0.0), name="far")])
+
+
+def test_a_target_tells_where_it_is_and_what_it_returns(scene, atlas):
+    standing = sigmascape.Target((12.0, -7.0), rcs_dbsm=20.0, hv_dbsm=3.0, height_m=2.5, size_m=(4.0, 2.0, 1.5))
+    place = (12.0, -7.0, scene.height_at(12.0, -7.0) + 2.5)
+    assert standing.position_m(scene) == pytest.approx(place) == standing.position_m(atlas)
+    assert standing.rcs_dbsm == pytest.approx({"vv": 20.0, "hh": 20.0, "hv": 3.0}, abs=1e-5)
+    assert standing.size_m == (4.0, 2.0, 1.5)
+    driving = sigmascape.Target((0.0, 0.0), altitude_m=900.0, speed_mps=10.0, heading_deg=90.0)
+    assert driving.position_m(scene, 3.0) == pytest.approx((30.0, 0.0, 900.0))
+    with pytest.raises(sigmascape.Error, match="time_s"):
+        driving.position_m(scene, float("nan"))
+
+
+def test_a_corner_reflector_of_half_a_metre():
+    """4 pi a^4/(3 lambda^2) of 0.5 m at 3 cm: 290.9 m^2."""
+    assert sigmascape.trihedral_rcs_dbsm(0.5, frequency_ghz=0.299792458 / 0.03) == pytest.approx(10 * np.log10(290.888), abs=1e-4)
+
+
+def test_targets_that_are_not_seen_are_warned_of_and_counted(atlas, radar):
+    seen, away = sigmascape.Target((0.0, 0.0), name="seen", rcs_dbsm=50.0), sigmascape.Target((9e5, 0.0), name="away", altitude_m=10.0)
+    ground_map = sigmascape.render(None, radar, atlas=atlas, targets=[seen, away])
+    assert (ground_map.metadata["targets"], ground_map.metadata["targets_seen"]) == ("2", "1")
+    with pytest.warns(UserWarning, match="target away stands beside what is mapped"):
+        assert sigmascape.render(None, radar, atlas=atlas, targets=[away]).metadata["targets_seen"] == "0"

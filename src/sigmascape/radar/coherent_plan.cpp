@@ -8,37 +8,18 @@
 #include "sigmascape/base/error.h"
 #include "sigmascape/base/units.h"
 #include "sigmascape/radar/advised_number.h"
+#include "sigmascape/radar/coherent_advice.h"
+#include "sigmascape/radar/coherent_sight.h"
 #include "sigmascape/radar/doppler.h"
 #include "sigmascape/radar/radar_title.h"
 #include "sigmascape/radar/rectangle_distances.h"
 #include "sigmascape/radar/rectangle_parts.h"
 #include "sigmascape/radar/strip_beam.h"
-#include "sigmascape/radar/window_response.h"
 
 namespace sigmascape::radar {
 namespace {
 
-/// Where the middle of the area lies as the radar flies: on the map and above it.
-struct Sight {
-  Vec3d away;  ///< from the radar, at time zero or, of a strip, as its beam passes
-  double range_m, ground_range_m, off_course_rad, horizontal_speed_mps;
-};
-
-Sight sight_of(const Radar& radar, Vec3d away) {
-  return {away, length(away), std::hypot(away.x, away.y), off_course_rad(radar.velocity_mps, away),
-          std::hypot(radar.velocity_mps.x, radar.velocity_mps.y)};
-}
-
-/// The smaller of the angles to the course and to where the radar comes from.
-double off_the_line_rad(double off_course_rad) {
-  return std::min(off_course_rad, pi - off_course_rad);
-}
-
-bool beam_straddles_course(const Radar& radar, const Sight& sight) {
-  return off_the_line_rad(sight.off_course_rad) < radar.beam_width_rad / 2.0;
-}
-
-[[noreturn]] void refuse_straight_ahead(const Radar& radar, const Sight& sight, const std::string& advice) {
+[[noreturn]] void refuse_straight_ahead(const Radar& radar, const CoherentSight& sight, const std::string& advice) {
   throw Error(
       title_of(radar),
       fmt::format("flies straight towards or away from what it maps, {:.2g}° off its course, where Doppler does "
@@ -47,20 +28,9 @@ bool beam_straddles_course(const Radar& radar, const Sight& sight) {
       advice);
 }
 
-/// Window's half-power width times looks: cells of one look in the width of the finished map.
-double cells_of_width(const Radar& radar) {
-  return WindowResponse(radar.waveform.window).half_power_width() * radar.processing.looks;
-}
-
-/// Half-power width on the ground along constant range for an interval of one second, all looks together.
-double resolution_in_a_second_m(const Radar& radar, const Sight& sight) {
-  return cells_of_width(radar) * cross_range_resolution_m(sight.range_m, wavelength_m(radar.frequency_hz),
-                                                          sight.horizontal_speed_mps, 1.0, sight.off_course_rad);
-}
-
 /// The widest that a cell becomes, on the course itself: cos φ falls by half a cell of Doppler to both sides.
 /// docs/physics/doppler.md, Eq. (3a).
-double width_on_course_m(const Radar& radar, const Sight& sight, double interval_s) {
+double width_on_course_m(const Radar& radar, const CoherentSight& sight, double interval_s) {
   const double cells_mps = 4.0 * sight.horizontal_speed_mps * interval_s * sight.ground_range_m / sight.range_m;
   const double fall = cells_of_width(radar) * wavelength_m(radar.frequency_hz) / cells_mps;
   return 2.0 * sight.ground_range_m * std::acos(std::max(-1.0, 1.0 - fall));
@@ -70,24 +40,6 @@ double width_on_course_m(const Radar& radar, const Sight& sight, double interval
 /// Eq. (3b).
 double finest_of_any_interval_m(const Radar& radar) {
   return cells_of_width(radar) * wavelength_m(radar.frequency_hz) / 4.0;
-}
-
-/// Of what is advised.
-constexpr int digits = 3;
-
-/// What would not be refused of the key that asks for this width.
-std::string advice_for_coarser(const Radar& radar, double width_m, double interval_s, double finest_m) {
-  const double too_fine = finest_m / width_m;
-  const std::string fewer_looks = radar.processing.looks > 1 ? " or fewer looks" : "";
-  if (radar.processing.interval_s)
-    return fmt::format("give mode.interval_s of less than {:g}{}", rounded_down(interval_s / too_fine, digits),
-                       fewer_looks);
-  if (radar.mode == Mode::DopplerBeamSharpening) {
-    const double sharpening = radar.processing.sharpening.value_or(usual_sharpening);
-    return fmt::format("give mode.sharpening of less than {:g}{}", rounded_down(sharpening / too_fine, digits),
-                       fewer_looks);
-  }
-  return fmt::format("give mode.along_resolution_m of more than {:g}{}", rounded_up(finest_m, digits), fewer_looks);
 }
 
 /// Beyond this nobody flies straight, nor are pulses counted.
@@ -100,20 +52,6 @@ void check_not_endless(const Radar& radar, double width_m, double interval_s) {
                           std::hypot(radar.velocity_mps.x, radar.velocity_mps.y)),
               "give a higher platform.speed_mps, or " +
                   advice_for_coarser(radar, width_m, interval_s, width_m * interval_s / longest_interval_s));
-}
-
-/// What would have so many more pulses of the key that asks for this interval and width. Looks that are given up make
-/// way for others only where the interval is stated: else it goes with them.
-std::string advice_for_longer(const Radar& radar, double width_m, double interval_s, double more) {
-  if (radar.processing.interval_s) {
-    return fmt::format("give mode.interval_s of at least {:g}{}", rounded_up(interval_s * more, digits),
-                       radar.processing.looks > 1 ? ", fewer mode.looks" : "");
-  }
-  if (radar.mode == Mode::DopplerBeamSharpening) {
-    return fmt::format("give mode.sharpening of at least {:g}",
-                       rounded_up(radar.processing.sharpening.value_or(usual_sharpening) * more, digits));
-  }
-  return fmt::format("give mode.along_resolution_m of at most {:g}", rounded_down(width_m / more, digits));
 }
 
 /// Each look takes a pulse, and Doppler takes two.
@@ -136,7 +74,7 @@ double in_whole_pulses_s(const Radar& radar, double width_m, double interval_s) 
   return looks * std::max(1.0, std::round(interval_s * repetition_hz / looks)) / repetition_hz;
 }
 
-void plan_interval(const Radar& radar, const Sight& sight, CoherentPlan& plan) {
+void plan_interval(const Radar& radar, const CoherentSight& sight, CoherentPlan& plan) {
   const Processing& asked = radar.processing;
   if (!(sight.ground_range_m > 0.0)) {
     throw Error(title_of(radar), "is straight above what it maps, where nothing lies across",
@@ -199,7 +137,7 @@ double sine_at_edge(const Radar& radar, Vec3d away, double edge_rad) {
 }
 
 /// What the beam's Doppler band gives along the flight: w n λ/(2 |sin φ₁ − sin φ₂|). docs/physics/doppler.md, Eq. (5a).
-double finest_of_strip_m(const Radar& radar, const Sight& sight) {
+double finest_of_strip_m(const Radar& radar, const CoherentSight& sight) {
   const double half_beam = radar.beam_width_rad / 2.0;
   const double sines =
       std::abs(sine_at_edge(radar, sight.away, half_beam) - sine_at_edge(radar, sight.away, -half_beam));
@@ -221,11 +159,11 @@ void check_band_is_known(const Radar& radar, double along_resolution_m) {
                   repetition_hz),
       fmt::format("give mode.along_resolution_m of at least {:g}{} or waveform.pulse_repetition_hz of at least "
                   "{:g}",
-                  rounded_up(width_hz_m / repetition_hz, digits),
-                  radar.processing.looks > 1 ? ", fewer mode.looks" : "", rounded_up(band_hz, digits)));
+                  rounded_up(width_hz_m / repetition_hz, advised_digits),
+                  radar.processing.looks > 1 ? ", fewer mode.looks" : "", rounded_up(band_hz, advised_digits)));
 }
 
-void plan_strip(const Radar& radar, const Sight& sight, CoherentPlan& plan) {
+void plan_strip(const Radar& radar, const CoherentSight& sight, CoherentPlan& plan) {
   if (!(sight.ground_range_m > 0.0) || beam_straddles_course(radar, sight))
     refuse_straight_ahead(radar, sight, "map ground farther to the side");
   const double finest_m = finest_of_strip_m(radar, sight);
@@ -235,7 +173,7 @@ void plan_strip(const Radar& radar, const Sight& sight, CoherentPlan& plan) {
                 fmt::format("cannot map a strip to {:g} m along the flight with {} looks of a beam of {:.3g}°",
                             plan.along_resolution_m, plan.looks, deg_from_radians(radar.beam_width_rad)),
                 fmt::format("give mode.along_resolution_m of at least {:.3g}{} or a wider beam",
-                            rounded_up(finest_m, digits), plan.looks > 1 ? ", fewer looks" : ""));
+                            rounded_up(finest_m, advised_digits), plan.looks > 1 ? ", fewer looks" : ""));
   }
   check_band_is_known(radar, plan.along_resolution_m);
   // Band over Doppler rate, which the whole speed and the angle in space decide.
@@ -245,78 +183,17 @@ void plan_strip(const Radar& radar, const Sight& sight, CoherentPlan& plan) {
   check_has_pulses(radar, plan.along_resolution_m, plan.interval_s);
 }
 
-/// What the pulses of the interval resolve across range, with all that the line of sight turns meanwhile and not only
-/// at the rate that it has in the middle: w n λ/(2 |q·(u₁ − u₂)|). docs/physics/doppler.md, Eq. (3b).
-double width_of_turn_m(const Radar& radar, const Sight& sight, double interval_s) {
-  const Vec3d flown = radar.velocity_mps * (interval_s / 2.0);
-  const Vec3d turned = normalized(sight.away + flown) - normalized(sight.away - flown);
-  const double across = std::abs(sight.away.x * turned.y - sight.away.y * turned.x) / sight.ground_range_m;
-  return cells_of_width(radar) * wavelength_m(radar.frequency_hz) / (2.0 * across);
-}
-
-void check_turn(const Radar& radar, const CoherentPlan& plan, Vec3d middle, std::vector<std::string>& warnings) {
-  const Sight sight = sight_of(radar, middle - radar.position);
-  if (beam_straddles_course(radar, sight)) return;
-  const double width_m = width_of_turn_m(radar, sight, plan.interval_s);
-  if (width_m <= 1.05 * resolution_in_a_second_m(radar, sight) / plan.interval_s) return;
-  warnings.push_back(
-      fmt::format("the interval of {:.3g} s is that of small angles, and the line of sight turns so far in it that "
-                  "pulses resolve {:.3g} m across range and not the {:.3g} m of this map; map more coarsely, or count "
-                  "on a longer interval",
-                  plan.interval_s, width_m, plan.along_resolution_m));
-}
-
 /// The angles off the course at which the Doppler of a range is so many half-power widths of a cell higher and lower
 /// than at the place: cos φ changes by as much to either side, and on the course it ends. Beyond half a repetition
 /// frequency Doppler comes back from the other side.
-std::array<double, 2> off_course_of_widths(const Radar& radar, const Sight& sight, double interval_s, double widths) {
+std::array<double, 2> off_course_of_widths(const Radar& radar, const CoherentSight& sight, double interval_s,
+                                           double widths) {
   const double change_hz =
       std::min(widths * cells_of_width(radar) / interval_s, 0.5 * radar.waveform.pulse_repetition_hz);
   const double change = change_hz * wavelength_m(radar.frequency_hz) * sight.range_m /
                         (2.0 * sight.horizontal_speed_mps * sight.ground_range_m);
   const double cosine = std::cos(sight.off_course_rad);
   return {std::acos(std::min(1.0, cosine + change)), std::acos(std::max(-1.0, cosine - change))};
-}
-
-/// Which way the resolution is that the interval gives.
-const char* direction_told(const Radar& radar) {
-  return radar.mode == Mode::Stripmap ? "along the flight" : "across range";
-}
-
-/// Each look in so few pulses answers in another shape than that of its window.
-void check_pulses(const Radar& radar, const CoherentPlan& plan, std::vector<std::string>& warnings) {
-  constexpr double few = 4.0;
-  const double pulses = plan.interval_s * radar.waveform.pulse_repetition_hz / plan.looks;
-  if (!(std::round(pulses) < few)) return;
-  warnings.push_back(
-      fmt::format("each look has {:.0f} pulse{}, too few for the resolution of {:.3g} m {} and for the side lobes of "
-                  "its window; {} or a higher waveform.pulse_repetition_hz",
-                  pulses, std::round(pulses) > 1.0 ? "s" : "", plan.along_resolution_m, direction_told(radar),
-                  advice_for_longer(radar, plan.along_resolution_m, plan.interval_s, few / pulses)));
-}
-
-/// By which keys the resolution becomes finer.
-const char* keys_of_resolution(const Radar& radar) {
-  if (radar.processing.interval_s) return "a longer mode.interval_s or fewer mode.looks";
-  return radar.mode == Mode::DopplerBeamSharpening ? "mode.sharpening" : "mode.along_resolution_m";
-}
-
-/// Across the line of sight, of a strip along the flight.
-void check_resolves(const Radar& radar, const CoherentPlan& plan, const Rectangle& area,
-                    std::vector<std::string>& warnings) {
-  const Vec2d course{radar.velocity_mps.x, radar.velocity_mps.y};
-  const Vec2d away = area.centre() - Vec2d{radar.position.x, radar.position.y};
-  const Vec2d along = radar.mode == Mode::Stripmap ? course : Vec2d{-away.y, away.x};
-  const auto [least_m, most_m] = span_over(area, [&](Vec2d place) { return dot(place, along) / length(along); });
-  if (!(plan.along_resolution_m > most_m - least_m)) return;
-  warnings.push_back(
-      fmt::format("the resolution of {:.3g} m {} is wider than what is mapped, {:.3g} m, and "
-                  "nothing of it is told apart; map more, or more finely by {}",
-                  plan.along_resolution_m, direction_told(radar), most_m - least_m, keys_of_resolution(radar)));
-}
-
-double doppler_of_hz(const Radar& radar, Vec3d place) {
-  return doppler_hz(range_rate_mps({radar.position, radar.velocity_mps}, {place}), wavelength_m(radar.frequency_hz));
 }
 
 }  // namespace
@@ -328,7 +205,8 @@ CoherentPlan coherent_plan(const Radar& radar, Vec3d aim) {
                 "give it a velocity, platform.speed_mps: coherent modes live from motion");
   check_processing(radar);
   aim = earth_of(radar).bent(aim, {radar.position.x, radar.position.y});
-  const Sight sight = sight_of(radar, radar.mode == Mode::Stripmap ? way_as_passed(radar, aim) : aim - radar.position);
+  const CoherentSight sight =
+      coherent_sight(radar, radar.mode == Mode::Stripmap ? way_as_passed(radar, aim) : aim - radar.position);
   CoherentPlan plan{.looks = radar.processing.looks,
                     .squint_rad = std::acos(
                         std::clamp(dot(sight.away, radar.velocity_mps) / (sight.range_m * speed_mps), -1.0, 1.0))};
@@ -349,7 +227,7 @@ Rectangle answering_ground(const Radar& radar, const CoherentPlan& plan, const R
   const Vec2d course{radar.velocity_mps.x, radar.velocity_mps.y}, ahead = course * (1.0 / length(course));
   Rectangle ground = area;
   for (const Vec3d corner : corners_of(area, height_m)) {
-    const Sight sight = sight_of(radar, earth_of(radar).bent(corner, foot) - radar.position);
+    const CoherentSight sight = coherent_sight(radar, earth_of(radar).bent(corner, foot) - radar.position);
     if (!(sight.ground_range_m > 0.0)) continue;
     const Vec2d away = Vec2d{corner.x, corner.y} - foot;
     const Vec2d beside = Vec2d{-ahead.y, ahead.x} * (cross(ahead, away) < 0.0 ? -1.0 : 1.0);
@@ -359,56 +237,6 @@ Rectangle answering_ground(const Radar& radar, const CoherentPlan& plan, const R
     }
   }
   return ground;
-}
-
-std::vector<std::string> plan_warnings(const Radar& radar, const CoherentPlan& plan, const Rectangle& area,
-                                       double height_m) {
-  std::vector<std::string> warnings;
-  const Vec3d ahead = normalized(radar.velocity_mps);
-  double off_the_line = pi, least_side = 0.0, most_side = 0.0, least_hz = 1e300, most_hz = -1e300;
-  for (const Vec3d corner : corners_of(area, height_m)) {
-    const Vec3d away = corner - radar.position;
-    off_the_line = std::min(off_the_line, off_the_line_rad(off_course_rad(radar.velocity_mps, away)));
-    const double side = ahead.x * away.y - ahead.y * away.x;
-    least_side = std::min(least_side, side);
-    most_side = std::max(most_side, side);
-    const double frequency_hz = doppler_of_hz(radar, corner);
-    least_hz = std::min(least_hz, frequency_hz);
-    most_hz = std::max(most_hz, frequency_hz);
-  }
-  const bool on_both_sides = least_side < 0.0 && most_side > 0.0;
-  if (radar.mode != Mode::Stripmap && (on_both_sides || off_the_line < plan.blind_wedge_rad)) {
-    warnings.push_back(fmt::format(
-        "part of what is mapped lies in the blind wedge about the course, within {:.3g}° of it, where it is no "
-        "sharper than the real beam, and σ0 does not hold there and close beside; map ground farther to the side, or "
-        "more finely by {}",
-        deg_from_radians(plan.blind_wedge_rad), keys_of_resolution(radar)));
-  }
-  if (on_both_sides) {
-    warnings.emplace_back(
-        "what is mapped lies on both sides of the course, and left and right have the same Doppler and fall onto one "
-        "another; map one side");
-  }
-  const Vec2d centre = area.centre();
-  const Vec3d middle{centre.x, centre.y, height_m};
-  check_resolves(radar, plan, area, warnings);
-  check_pulses(radar, plan, warnings);
-  if (radar.mode == Mode::Stripmap) return warnings;
-  check_turn(radar, plan, middle, warnings);
-  const double prf_hz = radar.waveform.pulse_repetition_hz, middle_hz = doppler_of_hz(radar, middle);
-  if (most_hz - least_hz > prf_hz) {
-    warnings.push_back(
-        fmt::format("the Doppler of what is mapped spans {:.4g} Hz, more than the pulse repetition "
-                    "frequency of {:g} Hz, and folds over; map less or send more pulses",
-                    most_hz - least_hz, prf_hz));
-  } else if (const double reach_hz = std::max(most_hz - middle_hz, middle_hz - least_hz); 2.0 * reach_hz > prf_hz) {
-    warnings.push_back(
-        fmt::format("the Doppler of what is mapped reaches {:.4g} Hz from that of its middle, more than half of the "
-                    "pulse repetition frequency of {:g} Hz, and the slant image has what lies beyond at its other end; "
-                    "map less or send more pulses",
-                    reach_hz, prf_hz));
-  }
-  return warnings;
 }
 
 }  // namespace sigmascape::radar

@@ -12,7 +12,7 @@
 namespace sigmascape::simulate {
 
 /// What a file says of how its map was made, for others to make it again: the way, seeds, rays, and how many targets
-/// it shows, those of the scene and others. Radar and place are told by others.
+/// there are, those of the scene and others. Radar and place are told by others, and which targets are seen.
 [[nodiscard]] std::map<std::string, std::string> provenance_of_traced(const TraceSettings& settings,
                                                                       const scene::Scene& scene);
 

@@ -11,6 +11,7 @@
 #include "sigmascape/base/error.h"
 #include "sigmascape/base/units.h"
 #include "sigmascape/radar/azimuth_span.h"
+#include "sigmascape/radar/doppler_span.h"
 #include "sigmascape/radar/radar_warnings.h"
 #include "sigmascape/radar/range_ambiguity.h"
 #include "sigmascape/radar/rectangle_distances.h"
@@ -19,6 +20,7 @@
 #include "sigmascape/simulate/placement.h"
 #include "sigmascape/simulate/recorded_beam.h"
 #include "sigmascape/simulate/simulate.h"
+#include "sigmascape/simulate/targets_seen.h"
 
 namespace sigmascape::simulate {
 namespace {
@@ -76,12 +78,29 @@ radar::Radar as_it_maps(const radar::Radar& radar, const radar::Rectangle& area,
   }
 }
 
+/// The corners of an area and, where a beam about its middle is narrower, how far that reaches to both sides there.
+std::vector<Vec3d> places_heard(const radar::Radar& radar, const radar::Rectangle& area, double height_m,
+                                bool within_beam) {
+  const Vec2d foot{radar.position.x, radar.position.y}, away = area.centre() - foot;
+  const auto corners = radar::corners_of(area, height_m);
+  const radar::AzimuthSpan span = radar::azimuths_of(area, foot);
+  const double width_rad = radar::antenna_pattern(radar).azimuth().two_way_width_rad();
+  if (!within_beam || area.contains(foot) || span.right_rad - span.left_rad <= width_rad)
+    return {corners.begin(), corners.end()};
+  std::vector<Vec3d> edges;
+  for (const double azimuth : {span.middle_rad - 0.5 * width_rad, span.middle_rad + 0.5 * width_rad}) {
+    const Vec2d there = foot + Vec2d{std::sin(azimuth), std::cos(azimuth)} * length(away);
+    edges.push_back({there.x, there.y, height_m});
+  }
+  return edges;
+}
+
 /// Of targets whose echoes fall outside a range gate, however often they fold.
 std::optional<std::string> targets_outside(const radar::Radar& radar, std::span<const radar::Target> targets,
                                            double opens_m, double closes_m) {
   const double unambiguous_m = radar::unambiguous_range_m(radar.waveform.pulse_repetition_hz);
   const double spare_m = 2.0 * radar.range_resolution_m;
-  std::size_t outside = 0;
+  std::vector<const radar::Target*> outside;
   double first_m = 0.0;
   for (const radar::Target& target : targets) {
     const Vec3d place =
@@ -89,14 +108,14 @@ std::optional<std::string> targets_outside(const radar::Radar& radar, std::span<
     const double range_m = length(place - radar.position);
     const double beyond_m = std::remainder(range_m - 0.5 * (opens_m + closes_m), unambiguous_m);
     if (std::abs(beyond_m) <= 0.5 * (closes_m - opens_m) + spare_m) continue;
-    if (outside++ == 0) first_m = range_m;
+    if (outside.empty()) first_m = range_m;
+    outside.push_back(&target);
   }
-  if (outside == 0) return std::nullopt;
+  if (outside.empty()) return std::nullopt;
   return fmt::format(
-      "of {} targets {} answer from outside the range gate from {:.5g} to {:.5g} km, the first from {:.5g} km, and "
-      "pulses "
-      "hold nothing of them; receiver.first_range_km and last_range_km widen the gate",
-      targets.size(), outside, opens_m / 1e3, closes_m / 1e3, first_m / 1e3);
+      "of {} targets {} ({}) answer from outside the range gate from {:.5g} to {:.5g} km, the first from {:.5g} km, "
+      "and pulses hold nothing of them; receiver.first_range_km and last_range_km widen the gate",
+      targets.size(), outside.size(), names_of(outside), opens_m / 1e3, closes_m / 1e3, first_m / 1e3);
 }
 
 }  // namespace
@@ -225,6 +244,9 @@ std::vector<std::string> recording_warnings(const radar::Radar& radar, const rad
         opens_m / 1e3, closes_m / 1e3, near_m / 1e3, far_m / 1e3, folded));
   }
   if (auto missed = targets_outside(radar, targets, opens_m, closes_m)) warnings.push_back(*std::move(missed));
+  const auto heard = places_heard(radar, area, terrain.height_at(area.centre()), calibrated);
+  if (auto folds = radar::doppler_that_folds(radar, radar::doppler_span(radar, heard)))
+    warnings.push_back(*std::move(folds));
   return warnings;
 }
 

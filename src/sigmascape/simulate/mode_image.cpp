@@ -7,12 +7,14 @@
 #include "sigmascape/base/toml_reader.h"
 #include "sigmascape/base/units.h"
 #include "sigmascape/radar/azimuth_text.h"
+#include "sigmascape/radar/coherent_warnings.h"
 #include "sigmascape/radar/distance_of_range.h"
 #include "sigmascape/radar/radar_warnings.h"
 #include "sigmascape/radar/rectangle_distances.h"
 #include "sigmascape/radar/rectangle_parts.h"
 #include "sigmascape/simulate/map_provenance.h"
 #include "sigmascape/simulate/scatterer_spacing.h"
+#include "sigmascape/simulate/targets_seen.h"
 
 namespace sigmascape::simulate {
 namespace {
@@ -73,6 +75,11 @@ Prepared prepared(const ModeRequest& request, const radar::CoherentPlan& plan) {
           .area = answering_area(radar, plan, request.grid.extent(), middle_of(request.grid, request.terrain).z)};
 }
 
+TargetsSeen targets_seen_in(const ModeRequest& request) {
+  return targets_seen(request.targets, request.radar, request.grid.extent(),
+                      {request.terrain, obstacles_of(request.atlas), radar::earth_of(request.radar)});
+}
+
 }  // namespace
 
 const char* word_for(radar::Mode mode) {
@@ -117,6 +124,8 @@ ModePlan mode_plan(const ModeRequest& request) {
   if (auto warning =
           radar::narrower_than_cells("the image across range", planned.plan.along_resolution_m, request.grid.cell_m))
     planned.warnings.push_back(*std::move(warning));
+  const auto of_targets = targets_seen_in(request).warnings;
+  planned.warnings.insert(planned.warnings.end(), of_targets.begin(), of_targets.end());
   return planned;
 }
 
@@ -145,6 +154,7 @@ std::map<std::string, std::string> source_of(const ModeRequest& request) {
       {"thermal_noise", request.radar.processing.thermal_noise ? "in it" : "none"},
       {"wind_mps", fmt::format("{:g}", request.windblown ? request.radar.wind_mps : 0.0)},
       {"targets", std::to_string(request.targets.size())},
+      {"targets_seen", std::to_string(targets_seen_in(request).count)},
       {"seed", std::to_string(request.seed)},
       {"dwell", std::to_string(request.dwell)}};
   tell_of_frequency(request.radar, request.texture_frequency_hz, words);

@@ -40,7 +40,7 @@ double scatterer_spacing_m(const radar::Radar& radar, double across_resolution_m
 }
 
 double resolution_of_interval_m(const radar::Radar& radar, Vec3d place, double interval_s) {
-  const Vec3d away = place - radar.position;
+  const Vec3d away = radar::earth_of(radar).bent(place, {radar.position.x, radar.position.y}) - radar.position;
   const double speed_mps = length(Vec2d{radar.velocity_mps.x, radar.velocity_mps.y});
   const double off_course_rad = radar::off_course_rad(radar.velocity_mps, away);
   if (!(interval_s > 0.0 && speed_mps > 0.0 && off_course_rad > 0.0)) return std::numeric_limits<double>::infinity();

@@ -58,9 +58,7 @@ radar::RangeAzimuthImage baked_image(const atlas::Atlas& atlas, const terrain::H
   auto image =
       render::GroundRenderer(atlas, terrain).render(radar, answering, bins_for(radar, area, terrain), settings, counts);
   if (settings.targets.empty()) return image;
-  const auto* const apart = atlas.ground_layers();
-  add_targets(image, radar, {terrain, apart != nullptr ? &apart->obstacles : nullptr}, settings.targets,
-              {.dwell = dwell});
+  add_targets(image, radar, {terrain, obstacles_of(atlas)}, settings.targets, {.dwell = dwell});
   return image;
 }
 

@@ -7,33 +7,17 @@
 #include <tuple>
 #include <utility>
 
+#include "flying_north.h"
 #include "scratch_folder.h"
 
 #include "sigmascape/base/units.h"
+#include "sigmascape/radar/coherent_warnings.h"
 #include "sigmascape/radar/doppler.h"
 
 namespace sigmascape::radar {
 namespace {
 
-using ::testing::AllOf;
 using ::testing::HasSubstr;
-
-/// Flies north at 200 m/s with a 2° beam at a wavelength of 3 cm; a rectangular window, 0.8859 cells wide.
-Radar flying_north(Mode mode) {
-  Radar radar;
-  radar.frequency_hz = speed_of_light_mps / 0.03;
-  radar.velocity_mps = {0.0, 200.0, 0.0};
-  radar.beam_width_rad = radians_from_deg(2.0);
-  radar.waveform.window.shape = WindowShape::Rectangular;
-  radar.mode = mode;
-  return radar;
-}
-
-/// A place 10 km away, so far off the nose to the right.
-Vec3d place_at(double squint_deg) {
-  const double squint = radians_from_deg(squint_deg);
-  return {10e3 * std::sin(squint), 10e3 * std::cos(squint), 0.0};
-}
 
 /// What keeps a radar from mapping what lies abeam; nothing where it can.
 std::string refusal_of(const Radar& radar) {
@@ -74,12 +58,6 @@ TEST(CoherentPlan, WhatContradictsItselfOrMeansNothingIsRefused) {
   radar.processing.sharpening.reset();
   radar.mode = Mode::Stripmap;
   EXPECT_THAT(refusal_of(radar), HasSubstr("has interval_s, which means nothing in its mode"));
-}
-
-/// Level ground 10 km away, so far off the nose on the map and seen at this depression from the origin.
-Vec3d ground_at(double off_course_deg, double depression_deg) {
-  const double ground_m = 10e3 * std::cos(radians_from_deg(depression_deg)), off = radians_from_deg(off_course_deg);
-  return {ground_m * std::sin(off), ground_m * std::cos(off), -10e3 * std::sin(radians_from_deg(depression_deg))};
 }
 
 /// By how many Doppler cells of the interval two places differ that lie a resolution apart along the same range.
@@ -172,6 +150,14 @@ TEST(CoherentPlan, StraightAheadIsRefusedHoweverSteeplyItLooks) {
 }
 
 /// A wavelength of 1 m, which an even window resolves to more than 0.2215 m.
+TEST(CoherentPlan, WhereDopplerTellsNothingIsRefused) {
+  Radar radar = flying_north(Mode::DopplerBeamSharpening);
+  const auto ahead = [&] { static_cast<void>(coherent_plan(radar, place_at(0.5))); };
+  EXPECT_THAT(message_of_error(ahead), HasSubstr("flies straight towards"));
+  radar.velocity_mps = {};
+  EXPECT_THAT(message_of_error(ahead), HasSubstr("stands still"));
+}
+
 TEST(CoherentPlan, NoIntervalResolvesLessThanAllSidesGive) {
   Radar radar = flying_north(Mode::Spotlight);
   radar.frequency_hz = speed_of_light_mps;
@@ -259,41 +245,6 @@ TEST(CoherentPlan, WhatWouldTakeHoursIsRefusedByTheKeysThatMakeItLong) {
   EXPECT_EQ(refusal_of(radar), "");
 }
 
-TEST(CoherentPlan, WarnsOfLooksOfFewPulses) {
-  Radar radar = flying_north(Mode::Spotlight);
-  const Rectangle area{9000.0, -1000.0, 11000.0, 1000.0};
-  const auto warnings = [&](double interval_s) {
-    radar.processing.interval_s = interval_s;
-    radar.processing.looks = 2;
-    return plan_warnings(radar, coherent_plan(radar, place_at(90.0)), area, 0.0);
-  };
-  EXPECT_THAT(warnings(0.002), ::testing::Contains(HasSubstr("each look has 1 pulse, too few")));
-  EXPECT_THAT(warnings(0.006), ::testing::Contains(HasSubstr("each look has 3 pulses, too few")));
-  EXPECT_THAT(warnings(0.006), ::testing::Contains(HasSubstr("give mode.interval_s of at least 0.008, fewer mode.looks "
-                                                             "or a higher waveform.pulse_repetition_hz")));
-  EXPECT_THAT(warnings(0.008), ::testing::Not(::testing::Contains(HasSubstr("too few"))));
-  // Where the interval follows from another key it cannot be stated, and takes its length from the looks.
-  radar.processing.interval_s.reset();
-  radar.processing.along_resolution_m = 100.0;
-  radar.waveform.pulse_repetition_hz = 500.0;
-  EXPECT_THAT(plan_warnings(radar, coherent_plan(radar, place_at(90.0)), area, 0.0),
-              ::testing::Contains(AllOf(HasSubstr("its window; give mode.along_resolution_m of at most "),
-                                        ::testing::Not(HasSubstr("looks")))));
-}
-
-/// 0.8859 · 0.03 m · 10 km/(2 · 200 m/s · 0.01 s) are 66 m.
-TEST(CoherentPlan, WarnsOfAResolutionWiderThanTheMap) {
-  Radar radar = flying_north(Mode::Spotlight);
-  radar.processing.interval_s = 0.01;
-  const CoherentPlan plan = coherent_plan(radar, place_at(90.0));
-  EXPECT_THAT(
-      plan_warnings(radar, plan, {9900.0, -30.0, 10100.0, 30.0}, 0.0),
-      ::testing::ElementsAre(HasSubstr("the resolution of 66.4 m across range is wider than what is mapped, 60 m, and "
-                                       "nothing of it is told apart; map more, or more finely by a longer "
-                                       "mode.interval_s or fewer mode.looks")));
-  EXPECT_THAT(plan_warnings(radar, plan, {9990.0, -40.0, 10010.0, 40.0}, 0.0), ::testing::IsEmpty());
-}
-
 /// Two half-power widths of Doppler from each corner, and no farther than the course.
 TEST(CoherentPlan, GroundAnswersInTheOutermostCellsAsFarAsTheyReachInDoppler) {
   Radar radar = flying_north(Mode::DopplerBeamSharpening);
@@ -361,55 +312,6 @@ TEST(CoherentPlan, AStripHasPulsesForItsLooks) {
                                             "mode.along_resolution_m of at most 25")));
 }
 
-TEST(CoherentPlan, WarnsWhereTheLineOfSightTurnsFar) {
-  // Abeam and level the pulses of T turn by Δ, tan Δ/2 = v T/2 r, and resolve w λ/(4 sin Δ/2), of which the plan has
-  // cos Δ/2.
-  Radar radar = flying_north(Mode::Spotlight);
-  radar.frequency_hz = speed_of_light_mps;
-  const auto warnings_at = [&](double width_m) {
-    radar.processing.along_resolution_m = width_m;
-    return plan_warnings(radar, coherent_plan(radar, place_at(90.0)), {9999.0, -1.0, 10001.0, 1.0}, 0.0);
-  };
-  // tan Δ/2 is 0.2215/δ, and 1/cos Δ/2 is 1.05 at δ = 0.692.
-  EXPECT_THAT(warnings_at(0.70), ::testing::IsEmpty());
-  EXPECT_THAT(warnings_at(0.68), ::testing::ElementsAre(HasSubstr("turns so far in it")));
-  EXPECT_THAT(warnings_at(0.443),
-              ::testing::ElementsAre(HasSubstr("resolve 0.495 m across range and not the 0.443 m of this map")));
-}
-
-TEST(CoherentPlan, WarnsOfDopplerThatGoesRoundTheImagesEnd) {
-  // From 50° off the nose to 70° and 10 km away at least, the Doppler reaches farther from its middle upwards.
-  Radar radar = flying_north(Mode::DopplerBeamSharpening);
-  const Rectangle area{7000.0, 0.0, 8000.0, 6000.0};
-  const auto doppler = [&](double x, double y) { return 2.0 * 200.0 / 0.03 * y / std::hypot(x, y); };
-  const double most_hz = doppler(7000.0, 6000.0), middle_hz = doppler(7500.0, 3000.0);
-  const double span_hz = most_hz - doppler(7000.0, 0.0), reach_hz = middle_hz;
-  ASSERT_GT(2.0 * reach_hz, span_hz * 1.01);
-  const auto plan = coherent_plan(radar, {7500.0, 3000.0, 0.0});
-  radar.waveform.pulse_repetition_hz = span_hz * 1.005;
-  EXPECT_THAT(plan_warnings(radar, plan, area, 0.0),
-              ::testing::ElementsAre(HasSubstr("reaches 4952 Hz from that of its middle, more than half")));
-  radar.waveform.pulse_repetition_hz = span_hz * 0.99;
-  EXPECT_THAT(plan_warnings(radar, plan, area, 0.0), ::testing::ElementsAre(HasSubstr("folds over")));
-  radar.waveform.pulse_repetition_hz = 2.0 * reach_hz * 1.01;
-  EXPECT_THAT(plan_warnings(radar, plan, area, 0.0), ::testing::IsEmpty());
-}
-
-TEST(CoherentPlan, WarnsOfTheBlindWedgeOnTheMap) {
-  Radar radar = flying_north(Mode::DopplerBeamSharpening);
-  radar.processing.interval_s = 0.01;
-  // λ/(2 v T θ_b cos ψ) = 0.2149 / cos 60° = sin 25.5°; 20° off the course the angle in space is 62°.
-  const auto plan = coherent_plan(radar, ground_at(45.0, 60.0));
-  EXPECT_NEAR(deg_from_radians(plan.blind_wedge_rad), 25.45, 0.02);
-  const Vec3d inside = ground_at(20.0, 60.0);
-  const Rectangle there{inside.x - 10.0, inside.y - 10.0, inside.x + 10.0, inside.y + 10.0};
-  EXPECT_THAT(plan_warnings(radar, plan, there, inside.z), ::testing::Contains(HasSubstr("blind wedge")));
-  const Rectangle behind{inside.x - 10.0, -inside.y - 10.0, inside.x + 10.0, -inside.y + 10.0};
-  EXPECT_THAT(plan_warnings(radar, plan, behind, inside.z), ::testing::Contains(HasSubstr("blind wedge")));
-  radar.mode = Mode::Spotlight;
-  EXPECT_THAT(plan_warnings(radar, plan, there, inside.z), ::testing::Contains(HasSubstr("blind wedge")));
-}
-
 TEST(CoherentPlan, AStripIsNoSharperThanItsBeam) {
   Radar radar = flying_north(Mode::Stripmap);
   radar.range_resolution_m = 0.1;
@@ -453,28 +355,6 @@ TEST(CoherentPlan, AStripsFixedBeamThatNeverSeesWhatItMapsIsRefused) {
   EXPECT_EQ(refused(91.1), "");
   radar.mode = Mode::Spotlight;
   EXPECT_EQ(refused(270.0), "");
-}
-
-TEST(CoherentPlan, WhereDopplerTellsNothingIsSaid) {
-  Radar radar = flying_north(Mode::DopplerBeamSharpening);
-  const auto ahead = [&] { static_cast<void>(coherent_plan(radar, place_at(0.5))); };
-  EXPECT_THAT(message_of_error(ahead), HasSubstr("flies straight towards"));
-  radar.velocity_mps = {};
-  EXPECT_THAT(message_of_error(ahead), HasSubstr("stands still"));
-
-  radar = flying_north(Mode::DopplerBeamSharpening);
-  radar.processing.interval_s = 0.01;
-  const auto plan = coherent_plan(radar, place_at(45.0));
-  // λ/(2 v T θ_b) = 0.03 / (2 · 200 · 0.01 · 0.0349) = 0.2149 = sin 12.4°.
-  EXPECT_THAT(plan_warnings(radar, plan, {1000.0, 9000.0, 1500.0, 9500.0}, 0.0),
-              ::testing::Contains(HasSubstr("blind wedge about the course, within 12.4° of it")));
-  EXPECT_THAT(plan_warnings(radar, plan, {-500.0, 9000.0, 500.0, 9500.0}, 0.0),
-              ::testing::Contains(HasSubstr("both sides of the course")));
-  radar.waveform.pulse_repetition_hz = 100.0;
-  EXPECT_THAT(plan_warnings(radar, plan, {7000.0, 7000.0, 7500.0, 7500.0}, 0.0),
-              ::testing::Contains(HasSubstr("folds over")));
-  radar.waveform.pulse_repetition_hz = 2000.0;
-  EXPECT_THAT(plan_warnings(radar, plan, {7000.0, 7000.0, 7500.0, 7500.0}, 0.0), ::testing::IsEmpty());
 }
 
 }  // namespace

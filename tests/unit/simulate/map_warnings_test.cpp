@@ -173,18 +173,38 @@ TEST(RecordingWarnings, KnowIntoWhichGateEchoesFold) {
                                            ::testing::HasSubstr("km away and folded to 4.67"))));
 }
 
+/// 2v/λ · 1000 m/20 km are 667 Hz at 3 cm; a beam of 0.01 rad, two-way 0.0071, has 94 of them.
+TEST(RecordingWarnings, TellOfDopplerThatFolds) {
+  radar::Radar radar = with_elevation_beam(-8.5);
+  radar.frequency_hz = speed_of_light_mps / 0.03;
+  radar.velocity_mps = {200.0, 0.0, 0.0};
+  const auto told = [&](double prf_hz, bool calibrated) {
+    radar.waveform.pulse_repetition_hz = prf_hz;
+    return recording_warnings(radar, extent, terrain_of_extent, calibrated);
+  };
+  EXPECT_THAT(told(700.0, false), IsEmpty());
+  EXPECT_THAT(told(600.0, false), ElementsAre(::testing::HasSubstr("and folds over")));
+  EXPECT_THAT(told(600.0, true), IsEmpty());
+  EXPECT_THAT(told(90.0, true),
+              ElementsAre(::testing::HasSubstr("Hz, more than the pulse repetition frequency of 90 Hz")));
+  radar.velocity_mps = {};
+  EXPECT_THAT(told(90.0, false), IsEmpty());
+}
+
 TEST(RecordingWarnings, TellOfTargetsOutsideTheGate) {
   radar::Radar radar = with_elevation_beam(-8.5);
   radar.waveform.pulse_repetition_hz = 1000.0;
   const auto told = [&](Vec3d place) {
     radar::Target target;
+    target.name = "lone";
     target.track = radar::Track::straight(place);
     const std::vector<radar::Target> targets{target};
     return recording_warnings(radar, extent, terrain_of_extent, false, targets);
   };
   EXPECT_THAT(told({0.0, 0.0, 10.0}), IsEmpty());
   const Vec3d before = radar.position * 0.5;
-  EXPECT_THAT(told(before), ElementsAre(::testing::StartsWith("of 1 targets 1 answer from outside the range gate")));
+  EXPECT_THAT(told(before),
+              ElementsAre(::testing::StartsWith("of 1 targets 1 (lone) answer from outside the range gate")));
   // An ambiguous range behind what is mapped.
   const Vec3d away = normalized(Vec3d{} - radar.position);
   EXPECT_THAT(told(away * radar::unambiguous_range_m(1000.0)), IsEmpty());
