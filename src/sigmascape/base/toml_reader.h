@@ -76,11 +76,11 @@ class TomlSection {
 
   /// An Error at one of this table's keys.
   [[nodiscard]] Error fault(std::string_view key, const std::string& what, const std::string& remedy) const;
+  /// Of one that must be there and is not: names a key that has not been read and is spelt nearly so, if there is one.
+  [[nodiscard]] Error missing(std::string_view key, const std::string& remedy) const;
 
  private:
   struct Table;
-  /// Of a text or a section: names a key that has not been read and is spelt nearly so, if there is one.
-  [[nodiscard]] Error missing(std::string_view key, const std::string& remedy) const;
   explicit TomlSection(std::shared_ptr<Table> table) : table_(std::move(table)) {}
   std::shared_ptr<Table> table_;
 };
