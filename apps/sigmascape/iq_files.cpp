@@ -17,9 +17,9 @@
 #include "sigmascape/simulate/coherent.h"
 #include "sigmascape/simulate/map_provenance.h"
 #include "sigmascape/simulate/map_warnings.h"
+#include "sigmascape/simulate/part_seen.h"
 #include "sigmascape/simulate/recording_interval.h"
 #include "sigmascape/simulate/scatterer_spacing.h"
-#include "sigmascape/simulate/target_sight.h"
 #include "sigmascape/simulate/targets_seen.h"
 
 namespace sigmascape::cli {

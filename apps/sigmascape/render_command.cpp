@@ -50,9 +50,9 @@
 #include "sigmascape/simulate/map_question.h"
 #include "sigmascape/simulate/map_warnings.h"
 #include "sigmascape/simulate/mode_image.h"
+#include "sigmascape/simulate/part_seen.h"
 #include "sigmascape/simulate/placement.h"
 #include "sigmascape/simulate/simulate.h"
-#include "sigmascape/simulate/target_sight.h"
 #include "sigmascape/simulate/targets_seen.h"
 
 namespace sigmascape::cli {

@@ -12,9 +12,9 @@
 
 #include "sigmascape/base/hash.h"
 #include "sigmascape/base/vector_targets.h"
+#include "sigmascape/live/visible_ground.h"
 #include "sigmascape/radar/complex_gaussian.h"
 #include "sigmascape/radar/scatterer_lattice.h"
-#include "sigmascape/render/visible_ground.h"
 
 namespace sigmascape::bench {
 namespace {
@@ -37,13 +37,13 @@ double least_seconds(int repetitions, Work work) {
 double sweep_seconds(int repetitions) {
   const terrain::HeightField field{
       .west_m = -1100.0, .north_m = 22000.0, .spacing_m = 10.0, .height_m = Array2D<float>(221, 221, 0.0F)};
-  const render::HorizonGrid grid{.first_azimuth_rad = -0.05,
-                                 .azimuth_step_rad = 2e-4,
-                                 .azimuths = edges,
-                                 .near_m = 19900.0,
-                                 .step_m = 2.0,
-                                 .distances = steps};
-  render::VisibleGround visible;
+  const live::HorizonGrid grid{.first_azimuth_rad = -0.05,
+                               .azimuth_step_rad = 2e-4,
+                               .azimuths = edges,
+                               .near_m = 19900.0,
+                               .step_m = 2.0,
+                               .distances = steps};
+  live::VisibleGround visible;
   WorkerTeam team(1);
   visible.reset(grid, false);
   return least_seconds(repetitions, [&] {

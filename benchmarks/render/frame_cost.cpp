@@ -9,14 +9,14 @@ namespace sigmascape::bench {
 
 namespace {
 
-bool lacks(const render::FrameReport& report) {
+bool lacks(const live::FrameReport& report) {
   return report.coarse + report.dark + report.coarse_obstacles > 0 || report.terrain_error_m > 0.0;
 }
 
 }  // namespace
 
-const render::Frame& settled(render::LiveRenderer& renderer, render::LiveGround& ground, const render::Pose& pose) {
-  const render::Frame* frame = &renderer.render(pose);
+const live::Frame& settled(live::LiveRenderer& renderer, live::LiveGround& ground, const live::Pose& pose) {
+  const live::Frame* frame = &renderer.render(pose);
   for (int again = 0; again < 50 && lacks(frame->report); ++again) {
     ground.wait_until_loaded();
     frame = &renderer.render(pose);
@@ -24,7 +24,7 @@ const render::Frame& settled(render::LiveRenderer& renderer, render::LiveGround&
   return *frame;
 }
 
-FrameCost frame_cost(render::LiveRenderer& renderer, render::LiveGround& ground, const render::Pose& pose,
+FrameCost frame_cost(live::LiveRenderer& renderer, live::LiveGround& ground, const live::Pose& pose,
                      int repetitions) {
   FrameCost cost;
   cost.report = settled(renderer, ground, pose).report;

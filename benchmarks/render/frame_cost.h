@@ -1,19 +1,19 @@
 #pragma once
 
-#include "sigmascape/render/live_renderer.h"
+#include "sigmascape/live/live_renderer.h"
 
 namespace sigmascape::bench {
 
 /// A frame after all pages that it wants are there.
-const render::Frame& settled(render::LiveRenderer& renderer, render::LiveGround& ground, const render::Pose& pose);
+const live::Frame& settled(live::LiveRenderer& renderer, live::LiveGround& ground, const live::Pose& pose);
 
 /// What a settled frame takes, the least of several.
 struct FrameCost {
   double wall = 1e30, processor = 1e30;  ///< seconds
   double median_wall = 0.0;
-  render::FrameReport report;
+  live::FrameReport report;
 };
-[[nodiscard]] FrameCost frame_cost(render::LiveRenderer& renderer, render::LiveGround& ground, const render::Pose& pose,
+[[nodiscard]] FrameCost frame_cost(live::LiveRenderer& renderer, live::LiveGround& ground, const live::Pose& pose,
                                    int repetitions);
 
 }  // namespace sigmascape::bench

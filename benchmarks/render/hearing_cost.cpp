@@ -6,10 +6,10 @@
 #include "figures.h"
 #include "frame_cost.h"
 
+#include "sigmascape/live/drawn_beams.h"
+#include "sigmascape/live/frame_image.h"
+#include "sigmascape/live/live_receiver.h"
 #include "sigmascape/receiver/receive_chain.h"
-#include "sigmascape/render/drawn_beams.h"
-#include "sigmascape/render/frame_image.h"
-#include "sigmascape/render/live_receiver.h"
 
 namespace sigmascape::bench {
 namespace {
@@ -25,7 +25,7 @@ void take_least(double& least, Work&& work) {
   least = std::min(least, processor_seconds() - start);
 }
 
-void prove_alike(const render::HeardPower& heard, const receiver::ReceivedPower& expected) {
+void prove_alike(const live::HeardPower& heard, const receiver::ReceivedPower& expected) {
   double difference = 0.0, sum = 0.0;
   for (std::size_t beam = 0; beam < heard.grid.azimuths; ++beam) {
     for (std::size_t range = 0; range < heard.grid.ranges; ++range) {
@@ -40,24 +40,23 @@ void prove_alike(const render::HeardPower& heard, const receiver::ReceivedPower&
 
 }  // namespace
 
-HearingCost hearing_cost(const std::shared_ptr<render::LiveGround>& ground, const radar::Radar& radar,
-                         const render::LiveSettings& settings, const render::Pose& pose, int repetitions) {
-  render::LiveRenderer renderer(ground, settings);
-  render::Frame frame = settled(renderer, *ground, pose);
-  const render::GroundHeight below = render::ground_below(frame, *ground);
+HearingCost hearing_cost(const std::shared_ptr<live::LiveGround>& ground, const radar::Radar& radar,
+                         const live::LiveSettings& settings, const live::Pose& pose, int repetitions) {
+  live::LiveRenderer renderer(ground, settings);
+  live::Frame frame = settled(renderer, *ground, pose);
+  const live::GroundHeight below = live::ground_below(frame, *ground);
   HearingCost cost;
   receiver::ReceivedPower expected;
   for (int run = 0; run < repetitions; ++run) {
-    take_least(cost.image, [&] {
-      expected = receiver::received_power(radar, render::image_of(frame, radar, below), polarization);
-    });
+    take_least(cost.image,
+               [&] { expected = receiver::received_power(radar, live::image_of(frame, radar, below), polarization); });
   }
-  render::LiveReceiver receiver(radar, polarization, ground, 1);
+  live::LiveReceiver receiver(radar, polarization, ground, 1);
   cost.first = 1e30;
   take_least(cost.first, [&] { receiver.hear(frame); });
   prove_alike(receiver.hear(frame), expected);
   // What the bins hold costs the same every time: that they were drawn again is said alone.
-  render::DrawnBeams drawn(frame.grid.azimuths);
+  live::DrawnBeams drawn(frame.grid.azimuths);
   Vec3d place = pose.position;
   const auto hear = [&](double& least, std::size_t first_beam, std::size_t count) {
     drawn.begin(first_beam, count);

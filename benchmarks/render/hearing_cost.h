@@ -2,8 +2,8 @@
 
 #include <memory>
 
+#include "sigmascape/live/live_renderer.h"
 #include "sigmascape/radar/radar.h"
-#include "sigmascape/render/live_renderer.h"
 
 namespace sigmascape::bench {
 
@@ -16,7 +16,7 @@ struct HearingCost {
 };
 
 /// Proves first that both ways come to the same. `radar` is even in elevation or not.
-[[nodiscard]] HearingCost hearing_cost(const std::shared_ptr<render::LiveGround>& ground, const radar::Radar& radar,
-                                       const render::LiveSettings& settings, const render::Pose& pose, int repetitions);
+[[nodiscard]] HearingCost hearing_cost(const std::shared_ptr<live::LiveGround>& ground, const radar::Radar& radar,
+                                       const live::LiveSettings& settings, const live::Pose& pose, int repetitions);
 
 }  // namespace sigmascape::bench

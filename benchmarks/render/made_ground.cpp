@@ -205,11 +205,11 @@ std::shared_ptr<const terrain::HeightTile> rolling_tile(const terrain::PyramidLa
   return tile;
 }
 
-std::shared_ptr<render::LiveGround> ground_over(const atlas::Store& store,
+std::shared_ptr<live::LiveGround> ground_over(const atlas::Store& store,
                                                 std::shared_ptr<terrain::TerrainPyramid> terrain,
                                                 std::size_t budget_bytes) {
-  return std::make_shared<render::LiveGround>(store, std::move(terrain), frequency_hz,
-                                              render::CacheOptions{.budget_bytes = budget_bytes});
+  return std::make_shared<live::LiveGround>(store, std::move(terrain), frequency_hz,
+                                              live::CacheOptions{.budget_bytes = budget_bytes});
 }
 
 }  // namespace
@@ -270,11 +270,11 @@ atlas::Store made_store_of_many_looks(const std::filesystem::path& folder, Groun
   return filled_store(folder, description, kind);
 }
 
-std::shared_ptr<render::LiveGround> made_ground(const atlas::Store& store, std::size_t budget_bytes) {
+std::shared_ptr<live::LiveGround> made_ground(const atlas::Store& store, std::size_t budget_bytes) {
   return ground_over(store, level_terrain(store.description().extent), budget_bytes);
 }
 
-std::shared_ptr<render::LiveGround> rolling_ground(const atlas::Store& store, std::size_t budget_bytes) {
+std::shared_ptr<live::LiveGround> rolling_ground(const atlas::Store& store, std::size_t budget_bytes) {
   return ground_over(store, terrain_under(store.description().extent, rolling_summary, rolling_tile), budget_bytes);
 }
 

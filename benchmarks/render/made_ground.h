@@ -4,8 +4,8 @@
 #include <memory>
 
 #include "sigmascape/atlas/store.h"
+#include "sigmascape/live/live_ground.h"
 #include "sigmascape/radar/look.h"
-#include "sigmascape/render/live_ground.h"
 
 namespace sigmascape::bench {
 
@@ -37,13 +37,13 @@ enum class GroundOf { Textures, Layers };
 
 /// Hills 150 m high under such a store, 3 and 7 km from one to the next: every tile of the terrain is reckoned when it
 /// is wanted, which takes about as long as to read and decode it.
-[[nodiscard]] std::shared_ptr<render::LiveGround> rolling_ground(const atlas::Store& store, std::size_t budget_bytes);
+[[nodiscard]] std::shared_ptr<live::LiveGround> rolling_ground(const atlas::Store& store, std::size_t budget_bytes);
 
 /// Ground about the origin, where four tiles of every level meet, between the paper's eight azimuths and five
 /// elevations: 64 × 64 patches of 256² texels, made like those.
 [[nodiscard]] atlas::Store made_store_of_many_looks(const std::filesystem::path& folder, GroundOf kind);
 
 /// Level ground under such a store.
-[[nodiscard]] std::shared_ptr<render::LiveGround> made_ground(const atlas::Store& store, std::size_t budget_bytes);
+[[nodiscard]] std::shared_ptr<live::LiveGround> made_ground(const atlas::Store& store, std::size_t budget_bytes);
 
 }  // namespace sigmascape::bench

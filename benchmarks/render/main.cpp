@@ -21,18 +21,18 @@
 #include "sigmascape/atlas/ground_layers.h"
 #include "sigmascape/base/hash.h"
 #include "sigmascape/base/units.h"
-#include "sigmascape/render/live_renderer.h"
+#include "sigmascape/live/live_renderer.h"
 #include "sigmascape/scene/paper_scene.h"
 
 namespace {
 
 using namespace sigmascape;         // NOLINT: a program of its own
 using namespace sigmascape::bench;  // NOLINT
-using render::FrameContent;
-using render::LiveGround;
-using render::LiveRenderer;
-using render::LiveSettings;
-using render::Pose;
+using live::FrameContent;
+using live::LiveGround;
+using live::LiveRenderer;
+using live::LiveSettings;
+using live::Pose;
 
 constexpr std::size_t budget_bytes = std::size_t{512} << 20U;
 
@@ -69,7 +69,7 @@ void give_back_memory() {
   malloc_trim(0);
 }
 
-double vv_power(const render::Frame& frame) {
+double vv_power(const live::Frame& frame) {
   double sum = 0.0;
   for (std::size_t beam = 16; beam + 16 < frame.grid.azimuths; ++beam) {
     for (std::size_t range = 16; range + 16 < frame.grid.ranges; ++range) {
@@ -82,7 +82,7 @@ double vv_power(const render::Frame& frame) {
 }
 
 /// Of the same bins: γ sin ψ of level ground, near enough to the radar for a flat Earth.
-double expected_power(const render::Frame& frame, double height_m) {
+double expected_power(const live::Frame& frame, double height_m) {
   double sum = 0.0;
   for (std::size_t range = 16; range + 16 < frame.grid.ranges; ++range) {
     const double middle_m = frame.grid.first_range_m + (static_cast<double>(range) + 0.5) * frame.grid.range_step_m;
@@ -96,7 +96,7 @@ void prove_power(const std::shared_ptr<LiveGround>& ground, const View& view) {
     LiveSettings settings = view.settings(content);
     settings.refraction = 1e9;
     LiveRenderer renderer(ground, settings);
-    const render::Frame& frame = settled(renderer, *ground, view.pose());
+    const live::Frame& frame = settled(renderer, *ground, view.pose());
     prove(frame.report.dark == 0 && frame.report.coarse == 0, "a settled frame lacks nothing");
     const double error_db = db_from_linear(vv_power(frame) / expected_power(frame, view.height_m));
     prove(std::abs(error_db) < 0.05,
@@ -159,7 +159,7 @@ double jump_seconds(const atlas::Store& store, const View& view, double jump_m) 
   (void)renderer.render(elsewhere);
   ground->wait_until_loaded();
   const double start = wall_seconds();
-  const render::FrameReport report = renderer.render(view.pose()).report;
+  const live::FrameReport report = renderer.render(view.pose()).report;
   const double seconds = wall_seconds() - start;
   prove(report.dark == 0 && 2 * report.lit > report.cells, "the frame after a jump shows the ground, if coarsely");
   prove(report.coarse > report.cells / 2, "the frame after a jump has no pages of its own");
@@ -202,7 +202,7 @@ void prove_first_frame(const std::shared_ptr<LiveGround>& ground, const View& vi
   LiveSettings settings = view.settings(FrameContent::Powers);
   settings.refraction = 1e9;
   LiveRenderer renderer(ground, settings);
-  const render::Frame& frame = renderer.render(view.pose());
+  const live::Frame& frame = renderer.render(view.pose());
   prove(frame.report.dark == 0, "the first frame of an atlas of many looks is not dark");
   // Whatever stands on the ground hides some of it.
   if (ground->obstacles() != nullptr) return;

@@ -35,8 +35,8 @@ bake::BakeSettings settings_about_the_view(bool quick) {
 
 /// Bins over the whole scene, two texels a side.
 struct WholeScene {
-  render::LiveSettings settings;
-  render::Pose pose;
+  live::LiveSettings settings;
+  live::Pose pose;
   radar::RangeAzimuthGrid grid;
 
   WholeScene(const scene::Scene& scene, double texel_m) {
@@ -60,7 +60,7 @@ struct WholeScene {
 };
 
 /// The frame's whole power is that of the map that is made of the same atlas without haste.
-void prove_power(const std::shared_ptr<render::LiveGround>& ground, const atlas::Store& store,
+void prove_power(const std::shared_ptr<live::LiveGround>& ground, const atlas::Store& store,
                  const scene::Scene& scene, WholeScene view) {
   radar::Radar radar;
   radar.position = view.pose.position;
@@ -71,9 +71,9 @@ void prove_power(const std::shared_ptr<render::LiveGround>& ground, const atlas:
   const auto map = render::GroundRenderer(atlas, scene.terrain).render(radar, scene.extent, view.grid, {}, counts);
   double expected = 0.0, shown = 0.0;
   for (const radar::Channels& bin : map.rcs_m2.values()) expected += static_cast<double>(bin.vv);
-  view.settings.content = render::FrameContent::Powers;
-  render::LiveRenderer renderer(ground, view.settings);
-  const render::Frame& frame = settled(renderer, *ground, view.pose);
+  view.settings.content = live::FrameContent::Powers;
+  live::LiveRenderer renderer(ground, view.settings);
+  const live::Frame& frame = settled(renderer, *ground, view.pose);
   for (std::size_t bin = 0; bin < frame.powers_m2.size(); bin += 4) {
     shown += static_cast<double>(frame.powers_m2[bin]);
   }
@@ -117,11 +117,11 @@ void measure_paper_frame(const scene::Scene& scene, bool quick, Figures& figures
   SilentProgress silent;
   (void)bake::bake(scene, baking, scratch.folder() / "paper", silent);
   const atlas::Store store = atlas::Store::open(scratch.folder() / "paper");
-  const auto ground = render::LiveGround::open(scratch.folder() / "paper", frequency_hz);
+  const auto ground = live::LiveGround::open(scratch.folder() / "paper", frequency_hz);
   const WholeScene view(scene, baking.patches.texel_m);
   prove_power(ground, store, scene, view);
 
-  render::LiveRenderer renderer(ground, view.settings);
+  live::LiveRenderer renderer(ground, view.settings);
   const FrameCost cost = frame_cost(renderer, *ground, view.pose, quick ? 5 : 20);
   figures.add("render.paper_frame_ms", 1e3 * cost.wall, "ms",
               fmt::format("{} lattice cells, of which {} lie within the paper's scene", cost.report.cells,

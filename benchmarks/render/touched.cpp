@@ -11,7 +11,7 @@ namespace {
 
 /// Nodes of a lattice that lie in the sector between the radar and the end of the last range.
 std::size_t nodes_in_view(Vec2d north_west, double spacing_m, std::size_t columns, std::size_t rows,
-                          const render::Frame& frame, const render::Pose& pose) {
+                          const live::Frame& frame, const live::Pose& pose) {
   const radar::RangeAzimuthGrid& grid = frame.grid;
   const double far_m = grid.first_range_m + static_cast<double>(grid.ranges) * grid.range_step_m;
   const double width = static_cast<double>(grid.azimuths) * grid.azimuth_step_rad;
@@ -29,16 +29,16 @@ std::size_t nodes_in_view(Vec2d north_west, double spacing_m, std::size_t column
 
 }  // namespace
 
-Touched touched_by(const render::Frame& frame, const render::LiveSettings& settings, const render::Pose& pose,
-                   const render::LiveGround& ground) {
+Touched touched_by(const live::Frame& frame, const live::LiveSettings& settings, const live::Pose& pose,
+                   const live::LiveGround& ground) {
   Touched touched;
-  const render::LiveTerrain& terrain = ground.terrain();
+  const live::LiveTerrain& terrain = ground.terrain();
   const terrain::PyramidLayout& layout = terrain.pyramid().layout();
   const int level = terrain.level_for(atlas::texel_side_m(ground.description().patches, frame.report.level));
   const auto side = static_cast<std::size_t>(terrain::HeightTile::cells);
   touched.terrain_nodes = nodes_in_view({layout.west_m, layout.north_m}, layout.spacing_at(level),
                                         side * layout.across(level) + 1, side * layout.down(level) + 1, frame, pose);
-  const render::LiveObstacles* const obstacles = ground.obstacles();
+  const live::LiveObstacles* const obstacles = ground.obstacles();
   const bool apart = obstacles != nullptr;
   if (apart) {
     const atlas::TileBlock block = obstacles->tiles_of(obstacles->level_for(settings.range_step_m / 2.0));
@@ -47,14 +47,14 @@ Touched touched_by(const render::Frame& frame, const render::LiveSettings& setti
                                            block.down * first.rows, frame, pose);
   }
   const auto cells = static_cast<double>(frame.report.cells - std::min(frame.report.dark, frame.report.cells));
-  constexpr double look_bytes = render::GroundPage::channels * sizeof(atlas::Half);
+  constexpr double look_bytes = live::GroundPage::channels * sizeof(atlas::Half);
   const double textures = ground.aspects().frequency_part(1) > 0.0F ? 8.0 : 4.0;
   // Of bare ground two elevations, the slope and the height of what stands there.
   const double bare_ground = apart ? textures / 2.0 * look_bytes + 8.0 : 0.0;
   const double texel_bytes = textures * look_bytes + sizeof(float) + bare_ground;
   const double horizon_bytes = static_cast<double>((settings.beams + 1) * 2 * settings.ranges) * (apart ? 12.0 : 4.0);
   touched.bytes = static_cast<double>(touched.terrain_nodes) * sizeof(float) +
-                  static_cast<double>(touched.obstacle_cells) * sizeof(render::PackedObstacle) + cells * texel_bytes +
+                  static_cast<double>(touched.obstacle_cells) * sizeof(live::PackedObstacle) + cells * texel_bytes +
                   horizon_bytes + static_cast<double>(frame.amplitudes_m.size_bytes() + frame.powers_m2.size_bytes());
   return touched;
 }

@@ -2,7 +2,7 @@
 
 #include <cstddef>
 
-#include "sigmascape/render/live_renderer.h"
+#include "sigmascape/live/live_renderer.h"
 
 namespace sigmascape::bench {
 
@@ -13,7 +13,7 @@ struct Touched {
   double bytes = 0.0;              ///< of both, of texels, of the horizon map and of the bins
 };
 
-[[nodiscard]] Touched touched_by(const render::Frame& frame, const render::LiveSettings& settings,
-                                 const render::Pose& pose, const render::LiveGround& ground);
+[[nodiscard]] Touched touched_by(const live::Frame& frame, const live::LiveSettings& settings, const live::Pose& pose,
+                                 const live::LiveGround& ground);
 
 }  // namespace sigmascape::bench

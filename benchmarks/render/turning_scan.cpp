@@ -8,15 +8,15 @@
 #include "figures.h"
 
 #include "sigmascape/base/units.h"
-#include "sigmascape/render/live_renderer.h"
+#include "sigmascape/live/live_renderer.h"
 
 namespace sigmascape::bench {
 namespace {
 
 constexpr std::size_t beams = 512, beams_a_step = 4, steps_a_turn = beams / beams_a_step;
 
-render::LiveSettings settings() {
-  render::LiveSettings settings;
+live::LiveSettings settings() {
+  live::LiveSettings settings;
   settings.beam_step_rad = 2.0 * pi / static_cast<double>(beams);
   settings.range_step_m = 24.0;
   settings.cells_per_bin = 1.0;
@@ -24,9 +24,9 @@ render::LiveSettings settings() {
 }
 
 /// A quarter up the ground, on its way north.
-render::Pose pose_at(std::size_t step, const radar::Rectangle& extent) {
+live::Pose pose_at(std::size_t step, const radar::Rectangle& extent) {
   constexpr double speed_mps = 250.0, height_m = 3000.0;
-  render::Pose pose;
+  live::Pose pose;
   pose.velocity_mps = {0.0, speed_mps, 0.0};
   pose.first_range_m = 4000.0;
   pose.position = {extent.width_m() / 2.0, extent.height_m() / 4.0 + speed_mps / 60.0 * static_cast<double>(step),
@@ -38,7 +38,7 @@ render::Pose pose_at(std::size_t step, const radar::Rectangle& extent) {
 struct CoarseCells {
   std::size_t coarse = 0, of = 0;
 
-  void add(const render::FrameReport& report) {
+  void add(const live::FrameReport& report) {
     coarse += report.coarse + report.dark;
     of += report.cells;
   }
@@ -47,8 +47,8 @@ struct CoarseCells {
 
 }  // namespace
 
-TurningScan turning_scan(const std::shared_ptr<render::LiveGround>& ground, double seconds) {
-  render::LiveRenderer renderer(ground, settings());
+TurningScan turning_scan(const std::shared_ptr<live::LiveGround>& ground, double seconds) {
+  live::LiveRenderer renderer(ground, settings());
   const auto count = static_cast<std::size_t>(60.0 * seconds);
   TurningScan scan;
   std::vector<double> steps;
@@ -57,9 +57,9 @@ TurningScan turning_scan(const std::shared_ptr<render::LiveGround>& ground, doub
   const auto begin = std::chrono::steady_clock::now();
   const double start_processor = processor_seconds();
   for (std::size_t step = 0; step < count; ++step) {
-    const render::Pose pose = pose_at(step, ground->description().extent);
+    const live::Pose pose = pose_at(step, ground->description().extent);
     const double start = wall_seconds();
-    const render::FrameReport& report = renderer.scan(pose, step * beams_a_step % beams, beams_a_step).report;
+    const live::FrameReport& report = renderer.scan(pose, step * beams_a_step % beams, beams_a_step).report;
     steps.push_back(wall_seconds() - start);
     (step < steps_a_turn ? first_turn : later).add(report);
     if (step + 1 == steps_a_turn) scan.pages_first_turn = ground->pages().report().loaded - pages_before;

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <memory>
 
-#include "sigmascape/render/live_ground.h"
+#include "sigmascape/live/live_ground.h"
 
 namespace sigmascape::bench {
 
@@ -16,6 +16,6 @@ struct TurningScan {
 
 /// An antenna that turns once in about two seconds, carried northwards at 250 m/s, sixty steps a second of real time:
 /// whoever reads pages has the time between them.
-[[nodiscard]] TurningScan turning_scan(const std::shared_ptr<render::LiveGround>& ground, double seconds);
+[[nodiscard]] TurningScan turning_scan(const std::shared_ptr<live::LiveGround>& ground, double seconds);
 
 }  // namespace sigmascape::bench

@@ -114,7 +114,7 @@ class Ground {
       : place_(place), field_(read(place, data)), pyramid_(pyramid_in_memory(field_)) {
     for (int level = 0; level < pyramid_.levels(); ++level) {
       levels_.emplace_back(4096, WindowSlopes::None);
-      levels_.back().fill(pyramid_, field_.extent(), level, TileWait::Load);
+      levels_.back().fill(pyramid_, field_.extent(), level);
     }
   }
 

@@ -13,7 +13,7 @@
 
 #include "sigmascape/base/units.h"
 #include "sigmascape/base/worker_team.h"
-#include "sigmascape/render/visible_ground.h"
+#include "sigmascape/live/visible_ground.h"
 
 namespace {
 
@@ -24,9 +24,9 @@ using sigmascape::WorkerTeam;
 using sigmascape::bench::Figures;
 using sigmascape::bench::processor_seconds;
 using sigmascape::bench::prove;
-using sigmascape::render::HorizonGrid;
-using sigmascape::render::VisibilityMethod;
-using sigmascape::render::VisibleGround;
+using sigmascape::live::HorizonGrid;
+using sigmascape::live::VisibilityMethod;
+using sigmascape::live::VisibleGround;
 
 struct Cost {
   double wall_ms = 1e30, processor_ms = 1e30;  ///< the latter of all threads together
@@ -139,7 +139,7 @@ int main(int count, char** words) {
     stopwatch.report("visible_ground.floor.polar_sweep" + at, unit, millions,
                      [&] { polar_sweep(slopes, grid, steepest, team); });
     const auto found = [&](const std::string& name, const sigmascape::terrain::HeightField& field,
-                           const sigmascape::render::VisibleGroundSettings& settings) {
+                           const sigmascape::live::VisibleGroundSettings& settings) {
       VisibleGround ground(settings, used);
       ground.reset(grid, false);
       stopwatch.report(name + at, unit, millions, [&] {
@@ -155,8 +155,8 @@ int main(int count, char** words) {
           {.method = VisibilityMethod::Rasterization});
     // What the floor of 524,288 triangles in 1024² pixels is known for.
     const auto coarse = hills(513, 8.0);
-    sigmascape::render::TerrainRaster drawn;
-    const sigmascape::render::RasterSettings settings{.pixels_per_triangle = 16.0, .longest_side = 1024};
+    sigmascape::live::TerrainRaster drawn;
+    const sigmascape::live::RasterSettings settings{.pixels_per_triangle = 16.0, .longest_side = 1024};
     stopwatch.report("visible_ground.raster.draw_524288_triangles_1024_pixels" + at, "ms", 1.0,
                      [&] { drawn.draw(radar, grid, sigmascape::terrain::view_of(coarse), settings, team); });
   }

@@ -10,13 +10,13 @@
 #include <memory>
 
 #include "sigmascape/base/units.h"
+#include "sigmascape/live/detail_of_ground.h"
+#include "sigmascape/live/frame_image.h"
 #include "sigmascape/product/picture.h"
 #include "sigmascape/product/png_file.h"
 #include "sigmascape/product/scope_layout.h"
 #include "sigmascape/radar/curved_earth.h"
 #include "sigmascape/radar/radar.h"
-#include "sigmascape/render/detail_of_ground.h"
-#include "sigmascape/render/frame_image.h"
 #include "sigmascape/scene/scene_file.h"
 #include "sigmascape/simulate/live_tracer.h"
 
@@ -28,8 +28,8 @@ constexpr double azimuth_rad = radians_from_deg(130.0), elevation_rad = radians_
 constexpr double bin_m = 3.0;
 
 /// Bins of 3 m on the ground, as many as the scene is wide.
-render::LiveSettings settings_for(const scene::Scene& scene, render::FrameContent content) {
-  render::LiveSettings settings;
+live::LiveSettings settings_for(const scene::Scene& scene, live::FrameContent content) {
+  live::LiveSettings settings;
   settings.content = content;
   settings.beams = settings.ranges = static_cast<std::size_t>(std::min(scene.extent.width_m(), 512.0) / bin_m);
   settings.range_step_m = bin_m * std::cos(elevation_rad);
@@ -38,7 +38,7 @@ render::LiveSettings settings_for(const scene::Scene& scene, render::FrameConten
 }
 
 /// From the south-east onto the middle of the scene.
-render::Pose pose_over(const scene::Scene& scene, const render::LiveSettings& settings) {
+live::Pose pose_over(const scene::Scene& scene, const live::LiveSettings& settings) {
   const Vec2d middle = scene.extent.centre();
   const Vec3d target{middle.x, middle.y, scene.terrain.height_at(middle)};
   // The renderer's Earth is round; aimed over a flat one, a radar farther away would look past the scene.
@@ -49,8 +49,8 @@ render::Pose pose_over(const scene::Scene& scene, const render::LiveSettings& se
 }
 
 /// Seen from above, with the radar below the picture.
-product::Picture picture_of(const render::Frame& frame, double top_db) {
-  const auto map = product::ppi(render::image_of(frame), {.up_rad = azimuth_rad + pi, .longer_side = 512});
+product::Picture picture_of(const live::Frame& frame, double top_db) {
+  const auto map = product::ppi(live::image_of(frame), {.up_rad = azimuth_rad + pi, .longer_side = 512});
   return product::picture_of(map, {.top_db = top_db});
 }
 
@@ -84,42 +84,42 @@ product::Picture above(const product::Picture& upper, const product::Picture& lo
 
 /// Level 0 on the left and level 1 on the right.
 product::Picture levels_beside(const scene::Scene& scene, const trace::SceneGeometry& geometry,
-                               const std::shared_ptr<render::LiveGround>& ground, render::FrameContent content) {
-  const render::LiveSettings settings = settings_for(scene, content);
-  const render::Pose pose = pose_over(scene, settings);
+                               const std::shared_ptr<live::LiveGround>& ground, live::FrameContent content) {
+  const live::LiveSettings settings = settings_for(scene, content);
+  const live::Pose pose = pose_over(scene, settings);
   // Cells of the lattice as large as the texels give both levels the same scatterers.
   const double texel_m = ground->description().patches.texel_m;
   simulate::LiveTracer tracer(scene, geometry, settings,
                               {.frequency_hz = ground->frequency_hz(), .lattice_m = texel_m});
-  render::LiveRenderer renderer(ground, settings);
+  live::LiveRenderer renderer(ground, settings);
 
   // Every call adds rays; a simulator shows each of these frames.
   for (int call = 0; call < 3; ++call) tracer.render(pose);
-  const render::Frame& traced = tracer.render(pose);
+  const live::Frame& traced = tracer.render(pose);
   std::cout << traced.report.rays_per_cell << " rays a cell tell the power of a bin to "
             << traced.report.median_error_db << " dB\n";
   renderer.render(pose);
   ground->wait_until_loaded();
-  const render::Frame& baked = renderer.render(pose);
-  const double top_db = product::percentile_top_db(product::ppi(render::image_of(traced)));
+  const live::Frame& baked = renderer.render(pose);
+  const double top_db = product::percentile_top_db(product::ppi(live::image_of(traced)));
   return beside(picture_of(traced, top_db), picture_of(baked, top_db));
 }
 
 /// Says which of the two a program would take that has both.
-void explain_choice(const scene::Scene& scene, const trace::SceneGeometry& geometry, const render::LiveGround& ground) {
-  const render::LiveSettings settings = settings_for(scene, render::FrameContent::Powers);
+void explain_choice(const scene::Scene& scene, const trace::SceneGeometry& geometry, const live::LiveGround& ground) {
+  const live::LiveSettings settings = settings_for(scene, live::FrameContent::Powers);
   const simulate::LiveTracer tracer(scene, geometry, settings);
-  const auto question = render::with_ground(tracer.question(pose_over(scene, settings)), ground);
+  const auto question = live::with_ground(tracer.question(pose_over(scene, settings)), ground);
   std::cout << render::explained(render::choose_detail(question));
 }
 
 void draw_levels(const char* scene_file, const char* atlas, const char* picture) {
   const scene::Scene scene = scene::read_scene(scene_file);
   const trace::SceneGeometry geometry(scene, trace::Footing::Terrain);
-  const auto ground = render::LiveGround::open(atlas, 10e9);
+  const auto ground = live::LiveGround::open(atlas, 10e9);
   explain_choice(scene, geometry, *ground);
-  product::write_png(picture, above(levels_beside(scene, geometry, ground, render::FrameContent::Powers),
-                                    levels_beside(scene, geometry, ground, render::FrameContent::Amplitudes)));
+  product::write_png(picture, above(levels_beside(scene, geometry, ground, live::FrameContent::Powers),
+                                    levels_beside(scene, geometry, ground, live::FrameContent::Amplitudes)));
 }
 
 }  // namespace

@@ -6,14 +6,14 @@
 #include <exception>
 #include <iostream>
 
+#include "sigmascape/live/live_renderer.h"
 #include "sigmascape/radar/curved_earth.h"
 #include "sigmascape/radar/radar.h"
-#include "sigmascape/render/live_renderer.h"
 
 namespace {
 
 void render_once(const char* atlas, sigmascape::Vec2d place) {
-  using namespace sigmascape::render;
+  using namespace sigmascape::live;
   const auto ground = LiveGround::open(atlas, 10e9);
   const sigmascape::Vec3d target{place.x, place.y, ground->terrain().height_at(place)};
   const LiveSettings settings{.beams = 64, .ranges = 64, .beam_step_rad = 4.0 / 5000.0, .range_step_m = 4.0};

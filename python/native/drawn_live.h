@@ -16,7 +16,7 @@
 #include "whole_number.h"
 
 #include "sigmascape/base/error.h"
-#include "sigmascape/render/live_renderer.h"
+#include "sigmascape/live/live_renderer.h"
 #include "sigmascape/simulate/placement.h"
 
 namespace sigmascape::python {
@@ -45,8 +45,8 @@ struct DrawnLive {
   }
 };
 
-inline render::Pose pose_from(const Triple& position_m, double first_azimuth_rad, double first_range_m,
-                              const Triple& velocity_mps = {}, const radar::Moment& moment = {}) {
+inline live::Pose pose_from(const Triple& position_m, double first_azimuth_rad, double first_range_m,
+                            const Triple& velocity_mps = {}, const radar::Moment& moment = {}) {
   return {.position = {position_m[0], position_m[1], position_m[2]},
           .first_azimuth_rad = first_azimuth_rad,
           .first_range_m = first_range_m,
@@ -54,12 +54,12 @@ inline render::Pose pose_from(const Triple& position_m, double first_azimuth_rad
           .moment = moment};
 }
 
-inline render::LiveSettings settings_from(const std::string& content, std::size_t beams, std::size_t ranges,
-                                          double beam_step_rad, double range_step_m, double cells_per_bin,
-                                          std::uint64_t seed, unsigned threads, double refraction) {
+inline live::LiveSettings settings_from(const std::string& content, std::size_t beams, std::size_t ranges,
+                                        double beam_step_rad, double range_step_m, double cells_per_bin,
+                                        std::uint64_t seed, unsigned threads, double refraction) {
   if (content != "amplitudes" && content != "powers")
     throw Error("content", "is '" + content + "'", "give 'amplitudes' or 'powers'");
-  return {.content = content == "powers" ? render::FrameContent::Powers : render::FrameContent::Amplitudes,
+  return {.content = content == "powers" ? live::FrameContent::Powers : live::FrameContent::Amplitudes,
           .beams = beams,
           .ranges = ranges,
           .beam_step_rad = beam_step_rad,
@@ -72,12 +72,12 @@ inline render::LiveSettings settings_from(const std::string& content, std::size_
 
 /// What `draw` makes of the pose with the drawer behind `self`, for which others wait their turn.
 template <typename Drawer, typename Draw>
-HeldFrame drawn(const pybind11::object& self, const render::Pose& pose, const Draw& draw) {
+HeldFrame drawn(const pybind11::object& self, const live::Pose& pose, const Draw& draw) {
   const auto& held = self.cast<const Held<DrawnLive<Drawer>>&>();
   // A copy of what is told about the bins, taken before the next caller's frame is.
   HeldFrame frame = long_call([&] {
     return held.in_turn([&](DrawnLive<Drawer>& live) {
-      render::Pose with_targets = pose;
+      live::Pose with_targets = pose;
       with_targets.targets = live.targets;
       return HeldFrame{
           .frame = draw(live, with_targets), .pose = pose, .renderer = {}, .turns = &held.turns(), .words = live.words};
@@ -104,7 +104,7 @@ void bind_drawing(pybind11::class_<Held<DrawnLive<Drawer>>>& binding, const char
         return drawn<Drawer>(
             self,
             pose_from(position_m, first_azimuth_rad, first_range_m, velocity_mps, {time_s, dwell_number, pulse_number}),
-            [](auto& live, const render::Pose& pose) { return live.drawer.render(pose); });
+            [](auto& live, const live::Pose& pose) { return live.drawer.render(pose); });
       },
       position, by_keyword, azimuth, range, velocity, time, dwell, pulse, of_render);
   binding.def(
@@ -115,7 +115,7 @@ void bind_drawing(pybind11::class_<Held<DrawnLive<Drawer>>>& binding, const char
         return drawn<Drawer>(
             self,
             pose_from(position_m, first_azimuth_rad, first_range_m, velocity_mps, {time_s, dwell_number, pulse_number}),
-            [&](auto& live, const render::Pose& pose) { return live.drawer.scan(pose, first_beam, count); });
+            [&](auto& live, const live::Pose& pose) { return live.drawer.scan(pose, first_beam, count); });
       },
       position, by_keyword, azimuth, range, py::arg("first_beam"), py::arg("count"), velocity, time, dwell, pulse,
       of_scan);

@@ -5,15 +5,15 @@
 #include "origin_words.h"
 #include "turns.h"
 
-#include "sigmascape/render/frame.h"
-#include "sigmascape/render/live_renderer.h"
+#include "sigmascape/live/frame.h"
+#include "sigmascape/live/live_renderer.h"
 
 namespace sigmascape::python {
 
 /// A frame and what made it, in whose memory it lies.
 struct HeldFrame {
-  render::Frame frame;
-  render::Pose pose;  ///< without its targets, which may change with the next
+  live::Frame frame;
+  live::Pose pose;  ///< without its targets, which may change with the next
   pybind11::object renderer;
   Turns* turns;  ///< of the renderer, for whoever looks whether the bins still hold the frame
   Words words;   ///< where it comes from, for files

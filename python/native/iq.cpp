@@ -27,10 +27,10 @@
 #include "sigmascape/simulate/coherent.h"
 #include "sigmascape/simulate/map_warnings.h"
 #include "sigmascape/simulate/mode_image.h"
+#include "sigmascape/simulate/part_seen.h"
 #include "sigmascape/simulate/placement.h"
 #include "sigmascape/simulate/recording_interval.h"
 #include "sigmascape/simulate/scatterer_spacing.h"
-#include "sigmascape/simulate/target_sight.h"
 #include "sigmascape/simulate/targets_seen.h"
 
 namespace sigmascape::python {

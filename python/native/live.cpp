@@ -12,18 +12,18 @@
 #include "parts.h"
 
 #include "sigmascape/base/error.h"
+#include "sigmascape/live/live_renderer.h"
 #include "sigmascape/product/iq_file.h"
-#include "sigmascape/render/live_renderer.h"
 
 namespace sigmascape::python {
 namespace {
 
 namespace py = pybind11;
-using render::LiveGround;
+using live::LiveGround;
 
-using GroundRenderer = DrawnLive<render::LiveRenderer>;
+using GroundRenderer = DrawnLive<live::LiveRenderer>;
 using CacheMib = Whole<"cache_mib", std::size_t, 0, std::numeric_limits<std::size_t>::max() / (std::size_t{1} << 20U)>;
-using Loaders = Whole<"loaders", unsigned, 1, render::most_loaders>;
+using Loaders = Whole<"loaders", unsigned, 1, live::most_loaders>;
 
 std::unique_ptr<Held<GroundRenderer>> made_renderer(const Held<LiveGround>& held, const std::string& content,
                                                     Beams beams, Ranges ranges, double beam_step_rad,
@@ -48,7 +48,7 @@ std::unique_ptr<Held<GroundRenderer>> made_renderer(const Held<LiveGround>& held
 }
 
 py::dict report_of(const Held<LiveGround>& ground) {
-  const render::GroundReport told = ground.here()->report();
+  const live::GroundReport told = ground.here()->report();
   py::dict report;
   report["pages"] = told.pages.pages;
   report["page_bytes"] = told.pages.bytes;
@@ -78,7 +78,7 @@ py::object numbers_of(const HeldFrame& held, std::span<const Number> numbers) {
 std::vector<radar::Motion> platforms_of(const HeldFrame& held) {
   std::vector<radar::Motion> platforms;
   bool are_the_same = true;
-  for (const render::DrawnBeam& beam : held.frame.beams) {
+  for (const live::DrawnBeam& beam : held.frame.beams) {
     platforms.push_back(beam.drawing == 0 ? radar::Motion{held.pose.position, held.pose.velocity_mps}
                                           : radar::Motion{beam.radar, beam.velocity_mps});
     are_the_same = are_the_same && platforms.back().position == platforms.front().position &&
@@ -98,7 +98,7 @@ void save(const HeldFrame& held, const std::filesystem::path& path, std::optiona
   if (held.frame.amplitudes_m.empty())
     throw Error(path.string(), "cannot hold powers", "make the renderer with content='amplitudes'");
   const std::scoped_lock turn(*held.turns);
-  render::check_holds(held.frame, path.string());
+  live::check_holds(held.frame, path.string());
   Words words = held.words;
   words["time_s"] = fmt::format("{}", held.pose.moment.time_s);
   words["dwell"] = std::to_string(held.pose.moment.dwell);
@@ -114,7 +114,7 @@ void save_in_turn(const HeldFrame& held, const std::filesystem::path& path, std:
 }
 
 template <typename Class>
-void count(Class& binding, const char* name, std::size_t render::FrameReport::*member, const char* doc) {
+void count(Class& binding, const char* name, std::size_t live::FrameReport::*member, const char* doc) {
   binding.def_property_readonly(
       name, [member](const HeldFrame& f) { return f.frame.report.*member; }, doc);
 }
@@ -148,7 +148,7 @@ void add_frame(py::module_& module) {
       .def_property_readonly(
           "beam_step_rad", [](const HeldFrame& f) { return f.frame.grid.azimuth_step_rad; },
           "Azimuth from beam to beam, clockwise.");
-  using Report = render::FrameReport;
+  using Report = live::FrameReport;
   count(binding, "cells", &Report::cells, "Lattice cells looked at.");
   count(binding, "lit", &Report::lit, "Of them seen by the radar.");
   count(binding, "coarse", &Report::coarse,
@@ -244,7 +244,7 @@ void add_live(py::module_& module) {
 
   add_frame(module);
 
-  const render::LiveSettings settings;
+  const live::LiveSettings settings;
   py::class_<Held<GroundRenderer>> binding(
       module, "LiveRenderer",
       "The live radar picture of a wide area: hand it a pose, get what the receiver has in its bins.\n"

@@ -12,11 +12,11 @@ namespace py = pybind11;
 
 using SceneFlight = DrawnLive<simulate::LiveFlight>;
 
-std::unique_ptr<Held<SceneFlight>> made_flight(std::shared_ptr<LoadedScene> scene,
-                                               const Held<render::LiveGround>& ground, const std::string& content,
-                                               Beams beams, Ranges ranges, double beam_step_rad, double range_step_m,
-                                               double cells_per_bin, Seed seed, Threads threads, double refraction,
-                                               RaysPerCell rays_per_cell, Bounces bounces) {
+std::unique_ptr<Held<SceneFlight>> made_flight(std::shared_ptr<LoadedScene> scene, const Held<live::LiveGround>& ground,
+                                               const std::string& content, Beams beams, Ranges ranges,
+                                               double beam_step_rad, double range_step_m, double cells_per_bin,
+                                               Seed seed, Threads threads, double refraction, RaysPerCell rays_per_cell,
+                                               Bounces bounces) {
   const auto settings =
       settings_from(content, beams, ranges, beam_step_rad, range_step_m, cells_per_bin, seed, threads, refraction);
   // What rays meet takes longest to build, and is built where signals are heard.
@@ -47,7 +47,7 @@ auto told(const Held<SceneFlight>& held, const Tell& tell) {
 }  // namespace
 
 void add_live_flight(py::module_& module) {
-  const render::LiveSettings settings;
+  const live::LiveSettings settings;
   const simulate::LiveTraceSettings tracing;
   py::class_<Held<SceneFlight>> binding(
       module, "LiveFlight",

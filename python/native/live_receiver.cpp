@@ -1,4 +1,4 @@
-#include "sigmascape/render/live_receiver.h"
+#include "sigmascape/live/live_receiver.h"
 
 #include <memory>
 #include <mutex>
@@ -26,24 +26,24 @@ namespace {
 
 namespace py = pybind11;
 
-using GroundOrScene = std::variant<const Held<render::LiveGround>*, std::shared_ptr<LoadedScene>>;
+using GroundOrScene = std::variant<const Held<live::LiveGround>*, std::shared_ptr<LoadedScene>>;
 
-render::KeptGround kept_ground(const GroundOrScene& given) {
+live::KeptGround kept_ground(const GroundOrScene& given) {
   if (const auto* const scene = std::get_if<std::shared_ptr<LoadedScene>>(&given)) {
-    return render::GroundHeight([loaded = *scene](Vec2d place) { return loaded->scene().terrain.height_at(place); });
+    return live::GroundHeight([loaded = *scene](Vec2d place) { return loaded->scene().terrain.height_at(place); });
   }
-  const auto* const ground = std::get<const Held<render::LiveGround>*>(given);
-  return ground == nullptr ? render::KeptGround() : render::KeptGround(ground->here());
+  const auto* const ground = std::get<const Held<live::LiveGround>*>(given);
+  return ground == nullptr ? live::KeptGround() : live::KeptGround(ground->here());
 }
 
-std::unique_ptr<Held<render::LiveReceiver>> made_receiver(const radar::RadarFile& radar, const GroundOrScene& ground,
-                                                          const std::string& polarization, Threads threads) {
+std::unique_ptr<Held<live::LiveReceiver>> made_receiver(const radar::RadarFile& radar, const GroundOrScene& ground,
+                                                        const std::string& polarization, Threads threads) {
   // Python may change it while others have the GIL.
   const radar::Radar asked = radar.radar;
   const WithoutGil working;
   auto made =
-      std::make_shared<render::LiveReceiver>(asked, polarization_from(polarization), kept_ground(ground), threads);
-  return std::make_unique<Held<render::LiveReceiver>>("LiveReceiver", std::move(made));
+      std::make_shared<live::LiveReceiver>(asked, polarization_from(polarization), kept_ground(ground), threads);
+  return std::make_unique<Held<live::LiveReceiver>>("LiveReceiver", std::move(made));
 }
 
 /// What was heard and what holds it, which others that hear with the same receiver meanwhile may replace.
@@ -53,15 +53,15 @@ struct HeldPower {
 };
 
 /// The bins are the renderer's: nobody is to draw into them meanwhile.
-HeldPower heard(render::LiveReceiver& receiver, const HeldFrame& held) {
+HeldPower heard(live::LiveReceiver& receiver, const HeldFrame& held) {
   const std::scoped_lock turn(*held.turns);
   return {receiver.hear(held.frame).grid, receiver.signal()};
 }
 
 py::array hear(const py::object& self, const HeldFrame& held) {
-  const auto& receiver = self.cast<const Held<render::LiveReceiver>&>();
+  const auto& receiver = self.cast<const Held<live::LiveReceiver>&>();
   auto power = std::make_unique<HeldPower>(
-      long_call([&] { return receiver.in_turn([&](render::LiveReceiver& here) { return heard(here, held); }); }));
+      long_call([&] { return receiver.in_turn([&](live::LiveReceiver& here) { return heard(here, held); }); }));
   const float* const signal_w = power->signal_w->data();
   std::vector<py::ssize_t> shape{static_cast<py::ssize_t>(power->grid.azimuths),
                                  static_cast<py::ssize_t>(power->grid.ranges)};
@@ -73,14 +73,14 @@ py::array hear(const py::object& self, const HeldFrame& held) {
 }  // namespace
 
 void add_live_receiver(py::module_& module) {
-  py::class_<Held<render::LiveReceiver>>(
+  py::class_<Held<live::LiveReceiver>>(
       module, "LiveReceiver",
       "What a radar hears of live frames, in watts at the antenna's terminals, of all beams or step by step of a "
       "scan:\n"
       "sigmascape.received_power for frames. Threads and processes share it as they do a LiveRenderer.")
       .def(
           py::init(&made_receiver), py::arg("radar"),
-          py::arg("ground") = static_cast<const Held<render::LiveGround>*>(nullptr), py::kw_only(),
+          py::arg("ground") = static_cast<const Held<live::LiveGround>*>(nullptr), py::kw_only(),
           py::arg("polarization") = "vv", py::arg("threads") = 0,
           "radar: of whose place and mode nothing is taken but the scan, an azimuth of which is counted from the\n"
           "frame's north as those of poses are. ground: that the bins lie on, which says from how far below the radar\n"
@@ -95,7 +95,7 @@ void add_live_receiver(py::module_& module) {
            "that it hears. Raises Error for a frame after which its renderer has drawn another, and for a radar whose\n"
            "frequency is more than 1 % from the frame's.")
       .def_property_readonly(
-          "noise_w", [](const Held<render::LiveReceiver>& held) { return held.here()->noise_w(); },
+          "noise_w", [](const Held<live::LiveReceiver>& held) { return held.here()->noise_w(); },
           "Mean power of the noise beside it, k T0 B F, W, the same in every bin.");
 }
 

@@ -41,7 +41,7 @@ std::unique_ptr<Held<SceneTracer>> made_tracer(std::shared_ptr<LoadedScene> scen
 }  // namespace
 
 void add_live_tracer(py::module_& module) {
-  const render::LiveSettings settings;
+  const live::LiveSettings settings;
   const simulate::LiveTraceSettings tracing;
   py::class_<Held<SceneTracer>> binding(
       module, "LiveTracer",

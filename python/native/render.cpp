@@ -24,9 +24,9 @@
 #include "sigmascape/simulate/map_provenance.h"
 #include "sigmascape/simulate/map_warnings.h"
 #include "sigmascape/simulate/mode_image.h"
+#include "sigmascape/simulate/part_seen.h"
 #include "sigmascape/simulate/placement.h"
 #include "sigmascape/simulate/simulate.h"
-#include "sigmascape/simulate/target_sight.h"
 #include "sigmascape/simulate/targets_seen.h"
 
 namespace sigmascape::python {

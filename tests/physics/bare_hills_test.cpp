@@ -5,13 +5,13 @@
 #include <gtest/gtest.h>
 #include <memory>
 
-#include "unit/render/live_ground_example.h"
+#include "unit/live/live_ground_example.h"
 #include "validation/validation_record.h"
 
 #include "sigmascape/atlas/atlas.h"
 #include "sigmascape/render/ground_renderer.h"
 
-namespace sigmascape::render {
+namespace sigmascape::live {
 namespace {
 
 constexpr double hills_gamma = 0.05;
@@ -58,9 +58,9 @@ class BareHills : public testing::Test {
     radar.position = pose.position;
     radar.range_resolution_m = 0.25 * settings.range_step_m;
     radar.beam_width_rad = 0.25 * std::sqrt(2.0) * settings.beam_step_rad;
-    RenderCounts counts;
+    render::RenderCounts counts;
     const auto map =
-        GroundRenderer(*atlas_, terrain_).render(radar, ground_->description().extent, frame.grid, {}, counts);
+        render::GroundRenderer(*atlas_, terrain_).render(radar, ground_->description().extent, frame.grid, {}, counts);
     for (std::size_t beam = left_out; beam + left_out < view.beams; ++beam) {
       for (std::size_t range = left_out; range + left_out < view.ranges; ++range) {
         sum.frame += static_cast<double>(frame.powers_m2[(beam * view.ranges + range) * 4]);
@@ -151,4 +151,4 @@ TEST_F(BareHills, AnswerSoOverTheRoundEarth) {
 }
 
 }  // namespace
-}  // namespace sigmascape::render
+}  // namespace sigmascape::live

@@ -16,13 +16,13 @@
 #include "sigmascape/atlas/ground_layers.h"
 #include "sigmascape/bake/bake.h"
 #include "sigmascape/base/error.h"
+#include "sigmascape/live/live_ground.h"
+#include "sigmascape/live/live_renderer.h"
 #include "sigmascape/product/ground_projection.h"
 #include "sigmascape/product/map_metrics.h"
 #include "sigmascape/radar/rectangle_parts.h"
 #include "sigmascape/render/building_layer.h"
 #include "sigmascape/render/ground_scatterers.h"
-#include "sigmascape/render/live_ground.h"
-#include "sigmascape/render/live_renderer.h"
 #include "sigmascape/scene/building_extrusion.h"
 #include "sigmascape/simulate/simulate.h"
 
@@ -337,7 +337,7 @@ TEST(BuildingsApart, AreRefusedByLiveFrames) {
   SilentProgress silent;
   bake::bake(scene, settings_of(bake::Buildings::Apart, 1), folder.path("atlas"), silent);
   const std::string told =
-      message_of_error([&] { static_cast<void>(render::LiveGround::open(folder.path("atlas"), frequency_hz)); });
+      message_of_error([&] { static_cast<void>(live::LiveGround::open(folder.path("atlas"), frequency_hz)); });
   EXPECT_NE(told.find("bake an atlas with --buildings both"), std::string::npos) << told;
 }
 
@@ -346,15 +346,15 @@ std::vector<float> frame_of(const scene::Scene& scene, bake::Buildings buildings
   const ScratchFolder folder;
   SilentProgress silent;
   bake::bake(scene, settings_of(buildings, 3), folder.path("atlas"), silent);
-  const auto ground = render::LiveGround::open(folder.path("atlas"), frequency_hz);
-  render::LiveRenderer renderer(
+  const auto ground = live::LiveGround::open(folder.path("atlas"), frequency_hz);
+  live::LiveRenderer renderer(
       ground,
-      {.content = render::FrameContent::Powers, .beams = 64, .ranges = 64, .beam_step_rad = 2e-3, .range_step_m = 4.0});
+      {.content = live::FrameContent::Powers, .beams = 64, .ranges = 64, .beam_step_rad = 2e-3, .range_step_m = 4.0});
   const radar::Radar radar = radar_at(100.0, 22.0);
   const Vec3d away = radar.position;
-  const render::Pose pose{.position = away * (2000.0 / length(away)),
-                          .first_azimuth_rad = std::atan2(-away.x, -away.y) - 0.064,
-                          .first_range_m = 1872.0};
+  const live::Pose pose{.position = away * (2000.0 / length(away)),
+                        .first_azimuth_rad = std::atan2(-away.x, -away.y) - 0.064,
+                        .first_range_m = 1872.0};
   static_cast<void>(renderer.render(pose));
   ground->wait_until_loaded();
   const auto powers_m2 = renderer.render(pose).powers_m2;

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "physics/level_scene.h"
-#include "unit/render/live_ground_example.h"
+#include "unit/live/live_ground_example.h"
 #include "validation/validation_record.h"
 
 #include "sigmascape/bake/bake.h"
@@ -24,9 +24,9 @@ struct Bins {
   double bin_m = 4.0;  ///< on the ground
   std::size_t count = 24;
 
-  [[nodiscard]] render::LiveSettings settings() const {
-    render::LiveSettings settings;
-    settings.content = render::FrameContent::Powers;
+  [[nodiscard]] live::LiveSettings settings() const {
+    live::LiveSettings settings;
+    settings.content = live::FrameContent::Powers;
     settings.beams = settings.ranges = count;
     settings.range_step_m = bin_m * std::cos(elevation_rad);
     settings.beam_step_rad = bin_m / (slant_range_m * std::cos(elevation_rad));
@@ -34,9 +34,9 @@ struct Bins {
     settings.refraction = 1e9;
     return settings;
   }
-  [[nodiscard]] render::Pose pose() const {
+  [[nodiscard]] live::Pose pose() const {
     const double half = static_cast<double>(count) / 2.0;
-    render::Pose pose;
+    live::Pose pose;
     pose.position = radar::position_seeing(target, azimuth_rad, elevation_rad, slant_range_m);
     pose.first_azimuth_rad = azimuth_rad + pi - half * settings().beam_step_rad;
     pose.first_range_m = slant_range_m - half * settings().range_step_m;
@@ -64,9 +64,9 @@ struct TwoWays {
 TwoWays shown(const std::filesystem::path& atlas_folder, const terrain::HeightField& terrain,
               const radar::Rectangle& area, const Bins& bins) {
   TwoWays two;
-  const auto ground = render::LiveGround::open(atlas_folder, frequency_hz);
-  render::LiveRenderer renderer(ground, bins.settings());
-  const render::Frame& frame = render::settled_frame(renderer, *ground, bins.pose());
+  const auto ground = live::LiveGround::open(atlas_folder, frequency_hz);
+  live::LiveRenderer renderer(ground, bins.settings());
+  const live::Frame& frame = live::settled_frame(renderer, *ground, bins.pose());
   EXPECT_EQ(frame.report.coarse, 0U);
   const atlas::Atlas atlas = atlas::load_atlas(atlas::Store::open(atlas_folder));
   render::RenderCounts counts;

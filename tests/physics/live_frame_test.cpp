@@ -6,15 +6,15 @@
 #include <tuple>
 
 #include "keep_worst.h"
-#include "unit/render/live_ground_example.h"
+#include "unit/live/live_ground_example.h"
 #include "validation/validation_record.h"
 
+#include "sigmascape/live/frame_image.h"
+#include "sigmascape/live/row_looks.h"
+#include "sigmascape/live/row_places.h"
 #include "sigmascape/receiver/receive_chain.h"
-#include "sigmascape/render/frame_image.h"
-#include "sigmascape/render/row_looks.h"
-#include "sigmascape/render/row_places.h"
 
-namespace sigmascape::render {
+namespace sigmascape::live {
 namespace {
 
 constexpr double level_ground_gamma = 0.1;
@@ -351,4 +351,4 @@ TEST(LiveFrame, TheSeaHidesTheFeetOfWhatIsBeyondTheHorizon) {
 }
 
 }  // namespace
-}  // namespace sigmascape::render
+}  // namespace sigmascape::live

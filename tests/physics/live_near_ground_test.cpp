@@ -5,10 +5,10 @@
 #include <gtest/gtest.h>
 #include <vector>
 
-#include "unit/render/live_ground_example.h"
+#include "unit/live/live_ground_example.h"
 #include "validation/validation_record.h"
 
-namespace sigmascape::render {
+namespace sigmascape::live {
 namespace {
 
 // Near the radar beams are narrower than the texels of the level that all of a deep frame has.
@@ -284,4 +284,4 @@ TEST_F(LiveWideTexel, KeepsItsPowerAcrossBeamsThatAreFilledApart) {
 }
 
 }  // namespace
-}  // namespace sigmascape::render
+}  // namespace sigmascape::live

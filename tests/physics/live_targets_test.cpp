@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "physics/ground_with_box.h"
-#include "unit/render/live_ground_example.h"
+#include "unit/live/live_ground_example.h"
 #include "validation/validation_record.h"
 
 #include "sigmascape/atlas/pyramid.h"
@@ -50,26 +50,26 @@ TEST(LiveTargets, answer_with_ten_square_metres_at_level_0) {
 /// And to live frames, from the finest level of the textures to the coarsest.
 TEST(LiveTargets, answer_with_ten_square_metres_at_every_live_level) {
   const ScratchFolder folder;
-  render::ExampleGround example;
-  example.sigma0 = [](const radar::Look& look) { return render::constant_gamma(0.01, look); };
+  live::ExampleGround example;
+  example.sigma0 = [](const radar::Look& look) { return live::constant_gamma(0.01, look); };
   const atlas::Store store = example.store(folder.path("atlas"));
   atlas::Pyramid(store).make_above(store.units());
   const auto ground = example.over(store);
   for (const double bin_m : {8.0, 16.0, 64.0}) {
-    render::ExampleView view;
+    live::ExampleView view;
     view.bin_m = bin_m;
     view.ranges = view.beams = 24;
-    render::LiveRenderer renderer(ground, view.settings(render::FrameContent::Powers));
-    const auto total = [](const render::Frame& frame) {
+    live::LiveRenderer renderer(ground, view.settings(live::FrameContent::Powers));
+    const auto total = [](const live::Frame& frame) {
       double sum = 0.0;
       for (std::size_t i = 0; i < frame.powers_m2.size(); i += 4) sum += static_cast<double>(frame.powers_m2[i]);
       return sum;
     };
-    render::Pose pose = view.pose();
-    const double alone = total(render::settled_frame(renderer, *ground, pose));
+    live::Pose pose = view.pose();
+    const double alone = total(live::settled_frame(renderer, *ground, pose));
     const auto targets = one_at({view.target.x + 7.0, view.target.y - 11.0, 1.0});
     pose.targets = targets;
-    const render::Frame& frame = renderer.render(pose);
+    const live::Frame& frame = renderer.render(pose);
     const std::size_t level = frame.report.level + 1;
     expect_ten("live frame at level of detail " + std::to_string(level) + ", bins of " +
                    std::to_string(static_cast<int>(bin_m)) + " m",

@@ -6,15 +6,15 @@
 #include <optional>
 
 #include "end_to_end/real_data.h"
-#include "unit/render/line_of_sight.h"
-#include "unit/render/live_ground_example.h"
+#include "unit/live/line_of_sight.h"
+#include "unit/live/live_ground_example.h"
 #include "validation/validation_record.h"
 
 #include "sigmascape/base/units.h"
+#include "sigmascape/live/visible_ground.h"
 #include "sigmascape/radar/look.h"
 #include "sigmascape/radar/radar.h"
 #include "sigmascape/radar/scatterer_lattice.h"
-#include "sigmascape/render/visible_ground.h"
 #include "sigmascape/scene/scene.h"
 #include "sigmascape/terrain/terrain_reader.h"
 #include "sigmascape/trace/scene_geometry.h"
@@ -90,7 +90,7 @@ scene::Scene bare_ground_of(const Place& place) {
 
 /// Terrain shadows as the renderer finds them against the path tracer's own shadow rays, over the same flat Earth: the
 /// tracer knows no curvature.
-void expect_like_shadow_rays(const Place& place, double elevation_deg, render::VisibilityMethod method) {
+void expect_like_shadow_rays(const Place& place, double elevation_deg, live::VisibilityMethod method) {
   if (is_missing(place)) GTEST_SKIP() << file_of(place) << " is not there; set SIGMASCAPE_DATA";
   const scene::Scene scene = bare_ground_of(place);
   const trace::SceneGeometry geometry(scene, trace::Footing::Terrain);
@@ -103,21 +103,21 @@ void expect_like_shadow_rays(const Place& place, double elevation_deg, render::V
   const double reach_m = 0.6 * place.half_m;
   // Nodes a quarter of a cell apart at most, compared at every so many.
   const auto every = static_cast<std::size_t>(std::ceil(2.0 * reach_m / 256.0 / (0.25 * place.spacing_m)));
-  const render::HorizonGrid grid{.first_azimuth_rad = radians_from_deg(310.0) - reach_m / distance_m,
-                                 .azimuth_step_rad = 2.0 * reach_m / distance_m / 256.0,
-                                 .azimuths = 256,
-                                 .near_m = distance_m - reach_m,
-                                 .step_m = 2.0 * reach_m / 256.0 / static_cast<double>(every),
-                                 .distances = 256 * every};
-  render::VisibleGround visible_ground({.method = method, .raster = {.pixels_per_triangle = 128.0}});
+  const live::HorizonGrid grid{.first_azimuth_rad = radians_from_deg(310.0) - reach_m / distance_m,
+                               .azimuth_step_rad = 2.0 * reach_m / distance_m / 256.0,
+                               .azimuths = 256,
+                               .near_m = distance_m - reach_m,
+                               .step_m = 2.0 * reach_m / 256.0 / static_cast<double>(every),
+                               .distances = 256 * every};
+  live::VisibleGround visible_ground({.method = method, .raster = {.pixels_per_triangle = 128.0}});
   WorkerTeam team(1);
   visible_ground.reset(grid, false);
   visible_ground.find(0, grid.azimuths, radar, {.terrain = terrain::view_of(scene.terrain)}, team);
   std::size_t compared = 0, different = 0, hidden = 0;
   for (std::size_t azimuth = 0; azimuth < grid.azimuths; ++azimuth) {
-    const Vec2d outwards = radar::horizontal_direction(render::azimuth_of(grid, azimuth));
+    const Vec2d outwards = radar::horizontal_direction(live::azimuth_of(grid, azimuth));
     for (std::size_t k = 0; k < grid.distances; k += every) {
-      const Vec2d foot = Vec2d{radar.x, radar.y} + outwards * render::distance_of(grid, k);
+      const Vec2d foot = Vec2d{radar.x, radar.y} + outwards * live::distance_of(grid, k);
       // From a little above the tracer's own surface, which is one of triangles, so that the ray does not meet where it
       // starts.
       const Vec3d above{foot.x, foot.y, geometry.highest_m() + 1.0};
@@ -129,8 +129,8 @@ void expect_like_shadow_rays(const Place& place, double elevation_deg, render::V
       ++compared;
       hidden += in_shadow ? 1 : 0;
       different +=
-          render::is_seen(visible_ground.horizon(), radar, scene.terrain.height_at(foot), azimuth, k) == in_shadow ? 1
-                                                                                                                   : 0;
+          live::is_seen(visible_ground.horizon(), radar, scene.terrain.height_at(foot), azimuth, k) == in_shadow ? 1
+                                                                                                                 : 0;
     }
   }
   EXPECT_GT(hidden, compared / 50);
@@ -139,7 +139,7 @@ void expect_like_shadow_rays(const Place& place, double elevation_deg, render::V
       {.group = "Terrain shadows",
        .name =
            fmt::format("{}, {}°, {}, share of samples that differ from shadow rays ({:.1f} % are hidden)", place.name,
-                       elevation_deg, method == render::VisibilityMethod::HorizonSweep ? "sweep" : "raster",
+                       elevation_deg, method == live::VisibilityMethod::HorizonSweep ? "sweep" : "raster",
                        100.0 * static_cast<double>(hidden) / static_cast<double>(compared)),
        .expected = 0.0,
        .measured = 100.0 * static_cast<double>(different) / static_cast<double>(compared),
@@ -154,16 +154,16 @@ const Place san_francisco{"San Francisco", "san_francisco/dem_3dep_1arcsec_4326.
 const Place hills{"made-up hills", nullptr, {}, 5.0, 0.0, 1000.0};
 
 TEST(TerrainShadow, OfMadeUpHillsIsThatOfThePathTracer) {
-  expect_like_shadow_rays(hills, 6.0, render::VisibilityMethod::HorizonSweep);
-  expect_like_shadow_rays(hills, 6.0, render::VisibilityMethod::Rasterization);
+  expect_like_shadow_rays(hills, 6.0, live::VisibilityMethod::HorizonSweep);
+  expect_like_shadow_rays(hills, 6.0, live::VisibilityMethod::Rasterization);
 }
 
 TEST(TerrainShadow, OfBilbaoIsThatOfThePathTracer) {
-  expect_like_shadow_rays(bilbao, 8.6, render::VisibilityMethod::HorizonSweep);
+  expect_like_shadow_rays(bilbao, 8.6, live::VisibilityMethod::HorizonSweep);
 }
 
 TEST(TerrainShadow, OfSanFranciscoIsThatOfThePathTracer) {
-  expect_like_shadow_rays(san_francisco, 4.0, render::VisibilityMethod::HorizonSweep);
+  expect_like_shadow_rays(san_francisco, 4.0, live::VisibilityMethod::HorizonSweep);
 }
 
 /// An atlas of constant-gamma ground, the same in all looks, about the origin.
@@ -178,7 +178,7 @@ atlas::Store gamma_store(const std::filesystem::path& folder, double gamma, doub
   description.aspects.frequencies_hz = {10e9};
   description.scene_hash = "none";
   atlas::Store store = atlas::Store::create(folder, description);
-  render::ExampleGround::write(store, [gamma](const radar::Look& look) { return render::constant_gamma(gamma, look); });
+  live::ExampleGround::write(store, [gamma](const radar::Look& look) { return live::constant_gamma(gamma, look); });
   atlas::Pyramid(store).make_above(store.units());
   return store;
 }
@@ -195,21 +195,21 @@ void expect_frame_like_shadow_rays(const Place& place, double elevation_deg) {
   const double gamma = 0.1, texel_m = place.spacing_m < 8.0 ? 4.0 : 8.0;
   const ScratchFolder folder;
   const atlas::Store store = gamma_store(folder.path("atlas"), gamma, texel_m, place.half_m);
-  const auto ground = std::make_shared<render::LiveGround>(store, scene.terrain, 10e9);
+  const auto ground = std::make_shared<live::LiveGround>(store, scene.terrain, 10e9);
   const double ground_m = scene.terrain.height_at({0.0, 0.0});
-  render::ExampleView view;
+  live::ExampleView view;
   view.target = {};
   view.azimuth_deg = 130.0;
   view.elevation_deg = elevation_deg;
   view.slant_range_m = 12e3;
   view.bin_m = 16.0;
   view.beams = view.ranges = static_cast<std::size_t>(place.half_m / view.bin_m);
-  render::LiveSettings settings = view.settings(render::FrameContent::Powers);
+  live::LiveSettings settings = view.settings(live::FrameContent::Powers);
   settings.cells_per_bin = 0.9 * view.bin_m / texel_m;
-  render::Pose pose = view.pose();
+  live::Pose pose = view.pose();
   pose.position.z += ground_m;
-  render::LiveRenderer renderer(ground, settings);
-  const render::Frame& frame = render::settled_frame(renderer, *ground, pose);
+  live::LiveRenderer renderer(ground, settings);
+  const live::Frame& frame = live::settled_frame(renderer, *ground, pose);
   ASSERT_EQ(frame.report.coarse, 0U);
   ASSERT_EQ(frame.report.level, 0U);
 
@@ -293,7 +293,7 @@ TEST(TerrainShadow, OfLiveFramesOverSanFranciscoIsThatOfThePathTracer) {
 }
 
 TEST(TerrainShadow, ByRasterizationIsThatOfThePathTracer) {
-  expect_like_shadow_rays(bilbao, 8.6, render::VisibilityMethod::Rasterization);
+  expect_like_shadow_rays(bilbao, 8.6, live::VisibilityMethod::Rasterization);
 }
 
 }  // namespace

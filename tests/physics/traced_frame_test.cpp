@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "physics/ground_with_box.h"
-#include "unit/render/live_ground_example.h"
+#include "unit/live/live_ground_example.h"
 #include "validation/validation_record.h"
 
 #include "sigmascape/simulate/live_tracer.h"
@@ -20,14 +20,14 @@ TEST(TracedFrame, LambertGroundReturnsItsSigma0) {
       {.name = "lambert", .model = scatter::LambertParameters{albedo, {cross_ratio, 0.5}}, .source = {}}, 512.0);
   const trace::SceneGeometry geometry(scene, trace::Footing::Terrain);
   for (const double elevation_deg : {8.6, 35.0, 70.0}) {
-    render::ExampleView view;
+    live::ExampleView view;
     view.target = {};
     view.elevation_deg = elevation_deg;
     view.beams = view.ranges = 32;
     view.bin_m = 6.0;
-    simulate::LiveTracer tracer(scene, geometry, view.settings(render::FrameContent::Powers),
+    simulate::LiveTracer tracer(scene, geometry, view.settings(live::FrameContent::Powers),
                                 {.frequency_hz = frequency_hz, .rays_per_cell = 8, .lattice_m = 2.0});
-    const render::Frame& frame = tracer.render(view.pose());
+    const live::Frame& frame = tracer.render(view.pose());
     double sum = 0.0, expected = 0.0;
     for (std::size_t range = 2; range + 2 < view.ranges; ++range) {
       const double middle_m = frame.grid.first_range_m + (static_cast<double>(range) + 0.5) * frame.grid.range_step_m;
@@ -51,7 +51,7 @@ TEST(TracedFrame, LambertGroundReturnsItsSigma0) {
 
 TEST(TracedFrame, LevelGroundHasTheScatterersThatItHasFromTextures) {
   constexpr double gamma = 0.1;
-  render::ExampleGround example;
+  live::ExampleGround example;
   example.sigma0 = [](const radar::Look& look) {
     const auto vv = static_cast<float>(gamma * std::sin(look.aspect.elevation_rad));
     return radar::Channels{vv, vv, 0.1F * vv, 0.5F * vv};
@@ -65,13 +65,13 @@ TEST(TracedFrame, LevelGroundHasTheScatterersThatItHasFromTextures) {
   scene::shift(scene, example.middle());
   const trace::SceneGeometry geometry(scene, trace::Footing::Terrain);
 
-  render::ExampleView view;
+  live::ExampleView view;
   view.beams = view.ranges = 32;
-  const render::LiveSettings settings = view.settings(render::FrameContent::Amplitudes);
-  render::LiveRenderer renderer(ground, settings);
+  const live::LiveSettings settings = view.settings(live::FrameContent::Amplitudes);
+  live::LiveRenderer renderer(ground, settings);
   simulate::LiveTracer tracer(scene, geometry, settings,
                               {.frequency_hz = frequency_hz, .rays_per_cell = 8, .lattice_m = example.texel_m});
-  const auto baked = render::settled_frame(renderer, *ground, view.pose()).amplitudes_m;
+  const auto baked = live::settled_frame(renderer, *ground, view.pose()).amplitudes_m;
   const auto traced = tracer.render(view.pose()).amplitudes_m;
   std::complex<double> cross;
   double of_baked = 0.0, of_traced = 0.0;
@@ -99,7 +99,7 @@ TEST(TracedFrame, LevelGroundHasTheScatterersThatItHasFromTextures) {
 }
 
 /// VV of squares of two by two bins.
-std::vector<double> squares(const render::Frame& frame) {
+std::vector<double> squares(const live::Frame& frame) {
   constexpr std::size_t side = 2;
   const std::size_t ranges = frame.grid.ranges, across = frame.grid.azimuths / side, along = ranges / side;
   std::vector<double> squares(across * along);
@@ -119,20 +119,20 @@ TEST(TracedFrame, ABoxAndItsShadowAreWhereTheTexturesHaveThem) {
   const ScratchFolder folder;
   SilentProgress silent;
   bake::bake(scene, settings, folder.path("atlas"), silent);
-  const auto ground = render::LiveGround::open(folder.path("atlas"), frequency_hz);
+  const auto ground = live::LiveGround::open(folder.path("atlas"), frequency_hz);
   const trace::SceneGeometry geometry(scene, trace::Footing::Terrain);
 
-  render::ExampleView view;
+  live::ExampleView view;
   view.target = {};
   view.azimuth_deg = 180.0;
   view.elevation_deg = seen_elevation_deg;
   view.slant_range_m = 5e3;
   view.beams = view.ranges = 64;
   view.bin_m = 2.0;
-  const render::LiveSettings bins = view.settings(render::FrameContent::Powers);
-  render::LiveRenderer renderer(ground, bins);
+  const live::LiveSettings bins = view.settings(live::FrameContent::Powers);
+  live::LiveRenderer renderer(ground, bins);
   simulate::LiveTracer tracer(scene, geometry, bins, {.frequency_hz = frequency_hz, .lattice_m = 1.0});
-  const std::vector<double> baked = squares(render::settled_frame(renderer, *ground, view.pose()));
+  const std::vector<double> baked = squares(live::settled_frame(renderer, *ground, view.pose()));
   const std::vector<double> traced = squares(tracer.render(view.pose()));
 
   const double level = traced.front();

@@ -16,28 +16,28 @@
 #include <vector>
 
 #include "sigmascape/base/error.h"
+#include "sigmascape/live/kept_ground.h"
+#include "sigmascape/live/live_receiver.h"
+#include "sigmascape/live/live_renderer.h"
 #include "sigmascape/radar/radar_file.h"
 #include "sigmascape/radar/rcs_table.h"
 #include "sigmascape/radar/target.h"
-#include "sigmascape/render/kept_ground.h"
 #include "sigmascape/render/level_of_detail.h"
-#include "sigmascape/render/live_receiver.h"
-#include "sigmascape/render/live_renderer.h"
 #include "sigmascape/scene/scene_file.h"
 #include "sigmascape/simulate/live_flight.h"
 #include "sigmascape/simulate/live_tracer.h"
 #include "sigmascape/simulate/placement.h"
 #include "sigmascape/trace/scene_geometry.h"
 
+using sigmascape::live::FrameContent;
+using sigmascape::live::KeptGround;
+using sigmascape::live::LiveGround;
+using sigmascape::live::LiveReceiver;
+using sigmascape::live::LiveRenderer;
+using sigmascape::live::LiveSettings;
 using sigmascape::radar::Polarization;
 using sigmascape::radar::Target;
 using sigmascape::radar::Track;
-using sigmascape::render::FrameContent;
-using sigmascape::render::KeptGround;
-using sigmascape::render::LiveGround;
-using sigmascape::render::LiveReceiver;
-using sigmascape::render::LiveRenderer;
-using sigmascape::render::LiveSettings;
 using sigmascape::simulate::LiveFlight;
 using sigmascape::simulate::LiveTracer;
 using sigmascape::simulate::LiveTraceSettings;
@@ -75,8 +75,8 @@ struct sigmascape_renderer {
   std::shared_ptr<TracedScene> scene = {};
   std::unique_ptr<LiveTracer> tracer = {};
   std::unique_ptr<LiveFlight> flight = {};
-  std::vector<Target> targets = {};     ///< those of the scene, where there is one, then those that were set
-  sigmascape::render::Frame last = {};  ///< that was drawn
+  std::vector<Target> targets = {};   ///< those of the scene, where there is one, then those that were set
+  sigmascape::live::Frame last = {};  ///< that was drawn
 };
 
 struct sigmascape_receiver {
@@ -121,7 +121,7 @@ sigmascape::Vec3d vector_from(const double (&numbers)[3]) {
   return {numbers[0], numbers[1], numbers[2]};
 }
 
-sigmascape::render::Pose pose_from(const sigmascape_pose& pose, const sigmascape_renderer& renderer) {
+sigmascape::live::Pose pose_from(const sigmascape_pose& pose, const sigmascape_renderer& renderer) {
   return {.position = vector_from(pose.position_m),
           .first_azimuth_rad = pose.first_azimuth_rad,
           .first_range_m = pose.first_range_m,
@@ -207,7 +207,7 @@ Target target_from(const sigmascape_target& from, std::size_t number, RcsTables&
   return target;
 }
 
-void copy(const sigmascape::render::Frame& from, sigmascape_frame& to) {
+void copy(const sigmascape::live::Frame& from, sigmascape_frame& to) {
   to.beams = from.grid.azimuths;
   to.ranges = from.grid.ranges;
   to.amplitudes_m = from.amplitudes_m.empty() ? nullptr : reinterpret_cast<const float*>(from.amplitudes_m.data());
@@ -278,20 +278,20 @@ Polarization polarization_from(const sigmascape_polarization& wanted) {
 KeptGround ground_from(const sigmascape_ground* ground, const sigmascape_scene* scene) {
   if (ground != nullptr) return ground->ground;
   if (scene == nullptr) return {};
-  return sigmascape::render::GroundHeight(
+  return sigmascape::live::GroundHeight(
       [traced = scene->scene](sigmascape::Vec2d place) { return traced->scene.terrain.height_at(place); });
 }
 
 /// Draws with whichever drawer the renderer has.
 template <typename Draw>
-const sigmascape::render::Frame& drawn(sigmascape_renderer& renderer, Draw draw) {
+const sigmascape::live::Frame& drawn(sigmascape_renderer& renderer, Draw draw) {
   renderer.last = renderer.flight   ? draw(*renderer.flight)
                   : renderer.tracer ? draw(*renderer.tracer)
                                     : draw(*renderer.renderer);
   return renderer.last;
 }
 
-void copy(const sigmascape::render::HeardPower& from, sigmascape_heard& to) {
+void copy(const sigmascape::live::HeardPower& from, sigmascape_heard& to) {
   to.beams = from.grid.azimuths;
   to.ranges = from.grid.ranges;
   to.signal_w = from.signal_w.data();
@@ -318,7 +318,7 @@ const char* sigmascape_last_error(void) {
 
 sigmascape_ground* sigmascape_open_ground(const char* atlas_folder, double frequency_hz, size_t cache_bytes) {
   return guarded<sigmascape_ground*>(nullptr, [&] {
-    sigmascape::render::CacheOptions options;
+    sigmascape::live::CacheOptions options;
     if (cache_bytes != 0) options.budget_bytes = cache_bytes;
     (void)given(atlas_folder, "atlas_folder");
     return new sigmascape_ground{LiveGround::open(atlas_folder, frequency_hz, options)};
@@ -365,7 +365,7 @@ int sigmascape_extent(const sigmascape_ground* ground, sigmascape_rectangle* ext
 int sigmascape_ground_height(const sigmascape_ground* ground, double x_m, double y_m, double* height_m) {
   return guarded(1, [&] {
     (void)given(height_m, "height_m");
-    const sigmascape::render::LiveTerrain& terrain = std::as_const(*given(ground, "ground").ground).terrain();
+    const sigmascape::live::LiveTerrain& terrain = std::as_const(*given(ground, "ground").ground).terrain();
     if (!terrain.pyramid().extent().contains({x_m, y_m})) {
       throw sigmascape::Error("place", "at (" + std::to_string(x_m) + ", " + std::to_string(y_m) + ") m has no terrain",
                               "give one within the terrain beside the atlas");
@@ -378,7 +378,7 @@ int sigmascape_ground_height(const sigmascape_ground* ground, double x_m, double
 int sigmascape_report(const sigmascape_ground* ground, sigmascape_ground_report* report) {
   return guarded(1, [&] {
     (void)given(report, "report");
-    const sigmascape::render::GroundReport told = std::as_const(*given(ground, "ground").ground).report();
+    const sigmascape::live::GroundReport told = std::as_const(*given(ground, "ground").ground).report();
     *report = {.pages = told.pages.pages,
                .page_bytes = told.pages.bytes,
                .loaded = told.pages.loaded,
@@ -495,7 +495,7 @@ int sigmascape_render(sigmascape_renderer* renderer, const sigmascape_pose* pose
     (void)given(renderer, "renderer");
     (void)given(frame, "frame");
     const auto wanted = pose_from(given(pose, "pose"), *renderer);
-    copy(drawn(*renderer, [&](auto& drawer) -> const sigmascape::render::Frame& { return drawer.render(wanted); }),
+    copy(drawn(*renderer, [&](auto& drawer) -> const sigmascape::live::Frame& { return drawer.render(wanted); }),
          *frame);
     return 0;
   });
@@ -507,10 +507,9 @@ int sigmascape_scan(sigmascape_renderer* renderer, const sigmascape_pose* pose, 
     (void)given(renderer, "renderer");
     (void)given(frame, "frame");
     const auto wanted = pose_from(given(pose, "pose"), *renderer);
-    copy(
-        drawn(*renderer,
-              [&](auto& drawer) -> const sigmascape::render::Frame& { return drawer.scan(wanted, first_beam, count); }),
-        *frame);
+    copy(drawn(*renderer,
+               [&](auto& drawer) -> const sigmascape::live::Frame& { return drawer.scan(wanted, first_beam, count); }),
+         *frame);
     return 0;
   });
 }

@@ -26,7 +26,7 @@
 #include "sigmascape/scene/scene_file.h"
 #include "sigmascape/simulate/placement.h"
 #include "sigmascape/simulate/simulate.h"
-#include "sigmascape/simulate/target_sight.h"
+#include "sigmascape/simulate/part_seen.h"
 #include "sigmascape/trace/path_tracer.h"
 
 namespace sigmascape::dataset {

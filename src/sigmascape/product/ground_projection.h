@@ -17,7 +17,7 @@ namespace sigmascape::product {
 /// r Δr Δφ is the horizontal area of a bin over level ground. Cells outside the bins become NaN. What stands above the
 /// terrain appears where its range puts it: laid over towards the radar. `threads` is 0 for one a hardware thread.
 /// `earth`: the one over which the bins hold their ranges, flat as real-beam images have it, or of a live frame the
-/// frame's (render::Frame::earth).
+/// frame's (live::Frame::earth).
 [[nodiscard]] radar::GroundMap ground_map(const radar::RangeAzimuthImage& image, const terrain::HeightField& terrain,
                                           const radar::GroundGrid& grid, unsigned threads = 1,
                                           const radar::CurvedEarth& earth = radar::CurvedEarth::flat());

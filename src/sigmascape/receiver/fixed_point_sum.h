@@ -1,6 +1,5 @@
 #pragma once
 
-#include <atomic>
 #include <cmath>
 #include <cstdint>
 
@@ -44,18 +43,6 @@ inline constexpr double finely_below_units = 0x1p16;
   sum += units;
   rest = static_cast<std::uint32_t>(parts);
   return true;
-}
-
-/// Adds so many units, rounded, from any number of threads at once. False, with the sum as it was, when they do not
-/// fit.
-[[nodiscard]] inline bool add_units(std::int64_t& sum, double units) {
-  if (!(std::abs(units) < most_units)) return false;
-  const std::int64_t added = std::llrint(units);
-  const std::atomic_ref atomic_sum(sum);
-  const std::int64_t before = atomic_sum.fetch_add(added, std::memory_order_relaxed);
-  if (std::abs(static_cast<double>(before) + static_cast<double>(added)) <= most_units) return true;
-  atomic_sum.fetch_sub(added, std::memory_order_relaxed);
-  return false;
 }
 
 }  // namespace sigmascape::receiver

@@ -13,7 +13,7 @@
 #include "sigmascape/radar/slant_image.h"
 #include "sigmascape/radar/target.h"
 #include "sigmascape/render/ground_scatterers.h"
-#include "sigmascape/simulate/target_sight.h"
+#include "sigmascape/simulate/part_seen.h"
 #include "sigmascape/simulate/windblown.h"
 #include "sigmascape/terrain/height_field.h"
 

@@ -8,14 +8,14 @@
 #include <utility>
 
 #include "sigmascape/base/error.h"
-#include "sigmascape/render/detail_of_ground.h"
+#include "sigmascape/live/detail_of_ground.h"
 #include "sigmascape/scene/scene.h"
 #include "sigmascape/simulate/frame_blend.h"
 
 namespace sigmascape::simulate {
 namespace {
 
-LiveFlightSettings settled(LiveFlightSettings flight, const scene::Scene& scene, const render::LiveGround& ground) {
+LiveFlightSettings settled(LiveFlightSettings flight, const scene::Scene& scene, const live::LiveGround& ground) {
   if (ground.description().scene_hash != scene::scene_hash(scene)) {
     throw Error("live flight", fmt::format("is over an atlas that was baked from another scene than '{}'", scene.name),
                 "bake this scene, or give the scene that the atlas was made from");
@@ -41,7 +41,7 @@ render::DetailSettings settings_in_use(const render::DetailSettings& detail, boo
 }
 
 LiveFlight::LiveFlight(const scene::Scene& scene, const trace::SceneGeometry& geometry,
-                       std::shared_ptr<render::LiveGround> ground, const render::LiveSettings& settings,
+                       std::shared_ptr<live::LiveGround> ground, const live::LiveSettings& settings,
                        const LiveFlightSettings& flight)
     : ground_(std::move(ground)),
       flight_(settled(flight, scene, *ground_)),
@@ -54,14 +54,14 @@ LiveFlight::LiveFlight(const scene::Scene& scene, const trace::SceneGeometry& ge
   frame_.frequency_hz = ground_->frequency_hz();
   frame_.earth = {.refraction = settings.refraction};
   frame_.beams = drawn_.all();
-  if (settings.content == render::FrameContent::Amplitudes)
+  if (settings.content == live::FrameContent::Amplitudes)
     amplitudes_m_.resize(beams_ * numbers_a_beam_);
   else
     powers_m2_.resize(beams_ * numbers_a_beam_);
 }
 
 template <typename Draw>
-void LiveFlight::go_on(const render::Pose& pose, const Draw& draw) {
+void LiveFlight::go_on(const live::Pose& pose, const Draw& draw) {
   const Course before = std::exchange(course_, course_to(pose));
   try {
     draw();
@@ -71,7 +71,7 @@ void LiveFlight::go_on(const render::Pose& pose, const Draw& draw) {
   }
 }
 
-const render::Frame& LiveFlight::render(const render::Pose& pose) {
+const live::Frame& LiveFlight::render(const live::Pose& pose) {
   go_on(pose, [&] {
     if (course_.textured_share == 0.0) {
       frame_ = tracer_.render(pose);
@@ -80,15 +80,15 @@ const render::Frame& LiveFlight::render(const render::Pose& pose) {
     } else {
       // Either may refuse, and has the other's frame then if the last one lies there.
       keep();
-      const render::Frame& textured = renderer_.render(pose);
+      const live::Frame& textured = renderer_.render(pose);
       blend(tracer_.render(pose), textured, {0, beams_ * numbers_a_beam_});
     }
   });
   return frame_;
 }
 
-const render::Frame& LiveFlight::scan(const render::Pose& pose, std::size_t first_beam, std::size_t count) {
-  render::check_step(first_beam, count, beams_);
+const live::Frame& LiveFlight::scan(const live::Pose& pose, std::size_t first_beam, std::size_t count) {
+  live::check_step(first_beam, count, beams_);
   count = std::min(count, beams_ - first_beam);
   const Part part{first_beam * numbers_a_beam_, count * numbers_a_beam_};
   go_on(pose, [&] {
@@ -98,15 +98,15 @@ const render::Frame& LiveFlight::scan(const render::Pose& pose, std::size_t firs
     } else if (course_.textured_share == 1.0) {
       copy(renderer_.scan(pose, first_beam, count), part);
     } else {
-      const render::Frame& textured = renderer_.scan(pose, first_beam, count);
+      const live::Frame& textured = renderer_.scan(pose, first_beam, count);
       blend(tracer_.scan(pose, first_beam, count), textured, part);
     }
   });
   return frame_;
 }
 
-LiveFlight::Course LiveFlight::course_to(const render::Pose& pose) const {
-  const render::DetailQuestion question = render::with_ground(tracer_.question(pose), *ground_);
+LiveFlight::Course LiveFlight::course_to(const live::Pose& pose) const {
+  const render::DetailQuestion question = live::with_ground(tracer_.question(pose), *ground_);
   // What is being left is as good as left: a change that has begun is gone on with.
   const render::DetailSettings detail =
       course_.has_begun ? settings_in_use(flight_.detail, course_.choice.level == 0) : flight_.detail;
@@ -125,7 +125,7 @@ LiveFlight::Course LiveFlight::course_to(const render::Pose& pose) const {
   return course;
 }
 
-void LiveFlight::blend(const render::Frame& traced, const render::Frame& textured, Part part) {
+void LiveFlight::blend(const live::Frame& traced, const live::Frame& textured, Part part) {
   begin_beams(part);
   frame_.grid = traced.grid;
   frame_.report = course_.textured_share < 0.5 ? traced.report : textured.report;
@@ -146,7 +146,7 @@ void LiveFlight::blend(const render::Frame& traced, const render::Frame& texture
   end_beams(traced);
 }
 
-void LiveFlight::copy_targets(const render::Frame& shown, Part part) {
+void LiveFlight::copy_targets(const live::Frame& shown, Part part) {
   const std::size_t first_beam = part.first / numbers_a_beam_, count = part.count / numbers_a_beam_;
   const auto [echoes, bins] = receiver::of_beams(shown.targets, first_beam, count, numbers_a_beam_ / 4);
   const receiver::TargetsByBeam::Room room = targets_.renewed(first_beam, count, echoes.size(), bins.size());
@@ -155,7 +155,7 @@ void LiveFlight::copy_targets(const render::Frame& shown, Part part) {
   frame_.targets = targets_.all();
 }
 
-void LiveFlight::copy(const render::Frame& shown, Part part) {
+void LiveFlight::copy(const live::Frame& shown, Part part) {
   begin_beams(part);
   frame_.grid = shown.grid;
   frame_.report = shown.report;
@@ -172,7 +172,7 @@ void LiveFlight::begin_beams(Part part) {
   drawn_.begin(part.first / numbers_a_beam_, part.count / numbers_a_beam_);
 }
 
-void LiveFlight::end_beams(const render::Frame& shown) {
+void LiveFlight::end_beams(const live::Frame& shown) {
   drawn_.end_as_in(shown.beams);
   frame_.beams = drawn_.all();
   frame_.drawing = shown.drawing;

@@ -10,15 +10,15 @@
 
 #include "sigmascape/base/error.h"
 #include "sigmascape/base/units.h"
+#include "sigmascape/live/frame_reach.h"
+#include "sigmascape/live/target_count.h"
 #include "sigmascape/radar/curved_earth.h"
 #include "sigmascape/radar/distance_of_range.h"
 #include "sigmascape/radar/rectangle_parts.h"
-#include "sigmascape/render/frame_reach.h"
 #include "sigmascape/render/level_of_detail.h"
-#include "sigmascape/render/target_count.h"
 #include "sigmascape/scene/mesh_counts.h"
 #include "sigmascape/simulate/launch_for_map.h"
-#include "sigmascape/simulate/target_sight.h"
+#include "sigmascape/simulate/part_seen.h"
 #include "sigmascape/simulate/traced_ground.h"
 #include "sigmascape/simulate/traced_scatterers.h"
 #include "sigmascape/trace/late_by.h"
@@ -40,8 +40,8 @@ bool is_empty(const radar::Rectangle& area) {
 /// From the edge of a beam echoes have a share in the next.
 constexpr double half_a_beam = 0.5;
 
-const render::LiveSettings& checked(const render::LiveSettings& settings) {
-  render::check(settings, name);
+const live::LiveSettings& checked(const live::LiveSettings& settings) {
+  live::check(settings, name);
   return settings;
 }
 
@@ -63,7 +63,7 @@ const LiveTraceSettings& checked(const LiveTraceSettings& tracing, const trace::
   return tracing;
 }
 
-std::vector<radar::ShadowBox> boxes_of(const render::Pose& pose) {
+std::vector<radar::ShadowBox> boxes_of(const live::Pose& pose) {
   std::vector<radar::ShadowBox> boxes;
   for (const radar::Target& target : pose.targets) {
     if (const auto box = radar::ShadowBox::of(target, pose.moment.time_s)) boxes.push_back(*box);
@@ -74,7 +74,7 @@ std::vector<radar::ShadowBox> boxes_of(const render::Pose& pose) {
 }  // namespace
 
 LiveTracer::LiveTracer(const scene::Scene& scene, const trace::SceneGeometry& geometry,
-                       const render::LiveSettings& settings, const LiveTraceSettings& tracing)
+                       const live::LiveSettings& settings, const LiveTraceSettings& tracing)
     : scene_(scene),
       geometry_(geometry),
       settings_(checked(settings)),
@@ -92,7 +92,7 @@ LiveTracer::LiveTracer(const scene::Scene& scene, const trace::SceneGeometry& ge
       occupied_(scene::occupied_extent(scene)),
       triangles_per_m2_(scene::triangles_per_m2(scene)),
       drawn_(settings.beams),
-      bins_(settings.beams * settings.ranges * render::numbers_a_bin(settings.content)) {
+      bins_(settings.beams * settings.ranges * live::numbers_a_bin(settings.content)) {
   frame_.frequency_hz = tracing_.frequency_hz;
   frame_.earth = {.refraction = settings_.refraction};
   frame_.beams = drawn_.all();
@@ -100,8 +100,8 @@ LiveTracer::LiveTracer(const scene::Scene& scene, const trace::SceneGeometry& ge
 
 LiveTracer::~LiveTracer() = default;
 
-bool LiveTracer::can_trace(const render::Pose& pose) const {
-  render::check(pose, name);
+bool LiveTracer::can_trace(const live::Pose& pose) const {
+  live::check(pose, name);
   const Look look = look_of(pose);
   if (is_empty(look.ground)) return true;
   const radar::Rectangle traced = ground_traced(look, pose, {0, settings_.beams});
@@ -109,16 +109,16 @@ bool LiveTracer::can_trace(const render::Pose& pose) const {
          cells_aimed_at(traced, look) <= most_aimed_per_traced * tracing_.most_cells;
 }
 
-const render::Frame& LiveTracer::render(const render::Pose& pose) {
+const live::Frame& LiveTracer::render(const live::Pose& pose) {
   return scan(pose, 0, settings_.beams);
 }
 
-const render::Frame& LiveTracer::scan(const render::Pose& pose, std::size_t first_beam, std::size_t count) {
-  render::check(pose, name);
-  render::check_step(first_beam, count, settings_.beams);
+const live::Frame& LiveTracer::scan(const live::Pose& pose, std::size_t first_beam, std::size_t count) {
+  live::check(pose, name);
+  live::check_step(first_beam, count, settings_.beams);
   const Beams beams{first_beam, std::min(count, settings_.beams - first_beam)};
   std::vector<radar::ShadowBox> boxes = boxes_of(pose);
-  const bool goes_on = position_ == pose.position && grid_ == render::bins_of(settings_, pose) && boxes_ == boxes;
+  const bool goes_on = position_ == pose.position && grid_ == live::bins_of(settings_, pose) && boxes_ == boxes;
   // Of a call that is broken off nothing can be gone on with.
   position_.reset();
   if (!goes_on) begin(pose);
@@ -130,7 +130,7 @@ const render::Frame& LiveTracer::scan(const render::Pose& pose, std::size_t firs
   drawn_.begin(beams.first, beams.count);
   frame_.grid = grid_;
   frame_.report = {};
-  const std::size_t numbers_a_beam = settings_.ranges * render::numbers_a_bin(settings_.content);
+  const std::size_t numbers_a_beam = settings_.ranges * live::numbers_a_bin(settings_.content);
   std::ranges::fill(std::span(bins_).subspan(beams.first * numbers_a_beam, beams.count * numbers_a_beam), 0.0F);
   if (ground != nullptr) show_ground(pose, *ground);
   add_targets(pose, beams);
@@ -138,9 +138,9 @@ const render::Frame& LiveTracer::scan(const render::Pose& pose, std::size_t firs
   return frame_;
 }
 
-void LiveTracer::begin(const render::Pose& pose) {
+void LiveTracer::begin(const live::Pose& pose) {
   steps_.clear();
-  grid_ = render::bins_of(settings_, pose);
+  grid_ = live::bins_of(settings_, pose);
   if (keeps_cells()) {
     frame_.amplitudes_m = {reinterpret_cast<const std::complex<float>*>(bins_.data()), bins_.size() / 2};
   } else {
@@ -153,7 +153,7 @@ void LiveTracer::begin(const render::Pose& pose) {
   if (const double cells = cells_in(traced, look_); cells > tracing_.most_cells) {
     throw Error(name, fmt::format("is to trace {:.2g} cells of {:.3g} m", cells, lattice_cell_m(look_)),
                 fmt::format("look at less ground or take wider bins, for at most {:.2g}; a wide area is for "
-                            "render::LiveRenderer",
+                            "live::LiveRenderer",
                             tracing_.most_cells));
   }
   if (!stands_above(look_.radar.z, geometry_.highest_m())) return;  // which is told where rays are to start
@@ -164,12 +164,12 @@ void LiveTracer::begin(const render::Pose& pose) {
                     "scene: they come down far behind the ground that the bins look at",
                     cells, lattice_cell_m(look_), look_.radar.z - geometry_.highest_m()),
         fmt::format("fly higher, look at less ground or take wider bins, for at most {:.2g}; so low a flight is "
-                    "for render::LiveRenderer",
+                    "for live::LiveRenderer",
                     most_aimed_per_traced * tracing_.most_cells));
   }
 }
 
-TracedGround* LiveTracer::ground_of(const render::Pose& pose, Beams beams) {
+TracedGround* LiveTracer::ground_of(const live::Pose& pose, Beams beams) {
   if (beams.count == 0 || is_empty(look_.ground)) return nullptr;
   if (const auto same = std::ranges::find(steps_, beams, &Step::beams); same != steps_.end()) return same->ground.get();
   std::erase_if(steps_, [&](const Step& step) { return step.beams.overlap(beams); });
@@ -184,7 +184,7 @@ TracedGround* LiveTracer::ground_of(const render::Pose& pose, Beams beams) {
   return made;
 }
 
-std::unique_ptr<TracedGround> LiveTracer::made_ground(const render::Pose& pose, Beams beams) const {
+std::unique_ptr<TracedGround> LiveTracer::made_ground(const live::Pose& pose, Beams beams) const {
   const radar::Rectangle area = ground_traced(look_, pose, beams);
   if (is_empty(area)) return nullptr;
   return std::make_unique<TracedGround>(TracedView{.scene = scene_,
@@ -203,50 +203,50 @@ std::unique_ptr<TracedGround> LiveTracer::made_ground(const render::Pose& pose, 
                                                    .with_cells = keeps_cells()});
 }
 
-LiveTracer::Look LiveTracer::look_of(const render::Pose& pose) const {
+LiveTracer::Look LiveTracer::look_of(const live::Pose& pose) const {
   const Look straight_on = look_from(pose.position, pose);
   if (is_empty(straight_on.ground)) return straight_on;
   const radar::CurvedEarth earth{.refraction = settings_.refraction};
   return look_from(earth.bent(pose.position, straight_on.ground.centre()), pose);
 }
 
-LiveTracer::Look LiveTracer::look_from(Vec3d radar, const render::Pose& pose) const {
-  render::Pose from = pose;
+LiveTracer::Look LiveTracer::look_from(Vec3d radar, const live::Pose& pose) const {
+  live::Pose from = pose;
   from.position = radar;
   const double middle_m = 0.5 * (lowest_m_ + highest_m_);
   constexpr auto straight = radar::CurvedEarth::flat();
-  const auto [near_m, far_m] = render::frame_reach(settings_, from, lowest_m_, highest_m_, straight);
+  const auto [near_m, far_m] = live::frame_reach(settings_, from, lowest_m_, highest_m_, straight);
   Look look{.radar = radar,
             .near_m = near_m,
             .far_m = far_m,
-            .sharing = render::sharing_reach(settings_, from, lowest_m_, highest_m_, highest_m_, straight),
-            .halfway_up = render::frame_reach(settings_, from, middle_m, middle_m, straight),
+            .sharing = live::sharing_reach(settings_, from, lowest_m_, highest_m_, highest_m_, straight),
+            .halfway_up = live::frame_reach(settings_, from, middle_m, middle_m, straight),
             .ground = {}};
   look.ground = ground_under(look, pose, {0, settings_.beams}, half_a_beam);
   return look;
 }
 
-radar::Rectangle LiveTracer::ground_under(const Look& look, const render::Pose& pose, Beams beams,
+radar::Rectangle LiveTracer::ground_under(const Look& look, const live::Pose& pose, Beams beams,
                                           double rim_beams) const {
   const auto first = static_cast<double>(beams.first), count = static_cast<double>(beams.count);
   // The Earth is flat here, with the radar where that is right in the middle.
   const double rim_m = 0.5 * settings_.range_step_m;
-  const radar::Rectangle under_bins = render::ground_under(
+  const radar::Rectangle under_bins = live::ground_under(
       {look.radar.x, look.radar.y}, pose.first_azimuth_rad + (first - rim_beams) * settings_.beam_step_rad,
       std::min((count + 2.0 * rim_beams) * settings_.beam_step_rad, 2.0 * pi),
       {std::max(look.sharing.near_m - rim_m, 0.0), look.sharing.far_m + rim_m});
   return radar::common_part(under_bins, scene_.extent);
 }
 
-radar::Rectangle LiveTracer::ground_traced(const Look& look, const render::Pose& pose, Beams beams) const {
+radar::Rectangle LiveTracer::ground_traced(const Look& look, const live::Pose& pose, Beams beams) const {
   return ground_under(look, pose, beams, rim_beams(look, pose));
 }
 
 bool LiveTracer::keeps_cells() const {
-  return settings_.content == render::FrameContent::Amplitudes;
+  return settings_.content == live::FrameContent::Amplitudes;
 }
 
-double LiveTracer::rim_beams(const Look& look, const render::Pose& pose) const {
+double LiveTracer::rim_beams(const Look& look, const live::Pose& pose) const {
   return half_a_beam + (keeps_cells() ? widest_cell_beams(look, pose) : 0.0);
 }
 
@@ -266,7 +266,7 @@ double LiveTracer::cells_aimed_at(const radar::Rectangle& area, const Look& look
                      most_aimed_per_traced * tracing_.most_cells);
 }
 
-double LiveTracer::widest_cell_beams(const Look& look, const render::Pose& pose) const {
+double LiveTracer::widest_cell_beams(const Look& look, const live::Pose& pose) const {
   const double nearest_m = radar::distance_of_range_m(radar::CurvedEarth::flat(), look.radar.z, lowest_m_,
                                                       std::max(pose.first_range_m - 0.5 * settings_.range_step_m, 0.0));
   const double widest = std::numbers::sqrt2 * lattice_cell_m(look) / (nearest_m * settings_.beam_step_rad);
@@ -275,7 +275,7 @@ double LiveTracer::widest_cell_beams(const Look& look, const render::Pose& pose)
 }
 
 int LiveTracer::lattice_level(const Look& look) const {
-  const render::DetailQuestion bins = render::question_of_bins(settings_, look.halfway_up);
+  const render::DetailQuestion bins = live::question_of_bins(settings_, look.halfway_up);
   const double sample_m = std::min(bins.range_resolution_m, bins.cross_range_m) / bins.samples_per_cell;
   // All scatterers change with the level, so that a finer one, of four times the cells, waits until it is right by a
   // quarter of a level.
@@ -286,10 +286,10 @@ int LiveTracer::lattice_level(const Look& look) const {
                : static_cast<int>(std::clamp(std::floor(wanted), 0.0, static_cast<double>(coarsest_lattice_level)));
 }
 
-render::DetailQuestion LiveTracer::question(const render::Pose& pose) const {
-  render::check(pose, name);
+render::DetailQuestion LiveTracer::question(const live::Pose& pose) const {
+  live::check(pose, name);
   const Look look = look_of(pose);
-  render::DetailQuestion question = render::question_of_bins(settings_, look.halfway_up);
+  render::DetailQuestion question = live::question_of_bins(settings_, look.halfway_up);
   const double middle_m = 0.5 * (look.halfway_up.near_m + look.halfway_up.far_m);
   question.grazing_rad = std::atan2(look.radar.z - 0.5 * (lowest_m_ + highest_m_), middle_m);
   question.range_resolution_m *= std::cos(question.grazing_rad);
@@ -303,7 +303,7 @@ render::DetailQuestion LiveTracer::question(const render::Pose& pose) const {
   return question;
 }
 
-void LiveTracer::show_ground(const render::Pose& pose, const TracedGround& ground) {
+void LiveTracer::show_ground(const live::Pose& pose, const TracedGround& ground) {
   const FramePasses& sums = ground.bins();
   frame_.report.cells = ground.squares();
   frame_.report.lit = ground.answering();
@@ -327,8 +327,8 @@ void LiveTracer::show_ground(const render::Pose& pose, const TracedGround& groun
   }
 }
 
-void LiveTracer::add_targets(const render::Pose& pose, Beams beams) {
-  render::TargetCount count(settings_, beams.first, beams.count);
+void LiveTracer::add_targets(const live::Pose& pose, Beams beams) {
+  live::TargetCount count(settings_, beams.first, beams.count);
   targets_.look(pose.targets,
                 {.position = pose.position,
                  .first_azimuth_rad = pose.first_azimuth_rad,
@@ -341,7 +341,7 @@ void LiveTracer::add_targets(const render::Pose& pose, Beams beams) {
   frame_.report.targets = count.seen_of(targets_.seen());
   targets_.tell_apart(beams.first, beams.count);
   frame_.targets = targets_.apart();
-  if (settings_.content == render::FrameContent::Powers) {
+  if (settings_.content == live::FrameContent::Powers) {
     targets_.add_powers(beams.first, beams.count, bins_);
   } else {
     targets_.add_amplitudes(beams.first, beams.count,

@@ -5,10 +5,10 @@
 #include <optional>
 #include <vector>
 
+#include "sigmascape/live/live_renderer.h"
 #include "sigmascape/radar/scatterer_lattice.h"
 #include "sigmascape/radar/shadow_box.h"
 #include "sigmascape/receiver/target_frame.h"
-#include "sigmascape/render/live_renderer.h"
 #include "sigmascape/scatter/surface_model.h"
 #include "sigmascape/scene/scene.h"
 #include "sigmascape/trace/scene_geometry.h"
@@ -25,7 +25,7 @@ struct LiveTraceSettings {
   int max_bounces = 8;  ///< 1 to trace::most_bounces
   /// Side of the finest lattice cells, doubled for a frame until its bins tell cells apart no more (cells_per_bin).
   /// After wider bins finer cells wait until they are right by a quarter of a doubling, for all scatterers change then.
-  /// With the texel of an atlas a frame's cells are those of render::LiveRenderer over it and hold the same scatterers.
+  /// With the texel of an atlas a frame's cells are those of live::LiveRenderer over it and hold the same scatterers.
   /// Bins finer than the finest cells share scatterers.
   double lattice_m = 0.25;
   /// Lattice cells of ground that are traced at a time, at most: a frame that needs more is refused, of the steps of a
@@ -38,7 +38,7 @@ struct LiveTraceSettings {
 };
 
 /// Level of detail 0 of live frames: the whole scene, path-traced, in the bins and by the poses of
-/// render::LiveRenderer.
+/// live::LiveRenderer.
 ///
 /// While pose and shadows of targets stay as they are each call adds rays to those before, so that the picture becomes
 /// clearer; FrameReport says how many there are and how well they know the power. Another pose begins anew, with rays
@@ -61,7 +61,7 @@ struct LiveTraceSettings {
 class LiveTracer {
  public:
   /// Throws Error for settings from which no frame can come. `settings.visibility` has no say.
-  LiveTracer(const scene::Scene& scene, const trace::SceneGeometry& geometry, const render::LiveSettings& settings,
+  LiveTracer(const scene::Scene& scene, const trace::SceneGeometry& geometry, const live::LiveSettings& settings,
              const LiveTraceSettings& tracing = {});
   ~LiveTracer();
 
@@ -69,10 +69,10 @@ class LiveTracer {
   /// nor so flatly past the highest point that rays would have to be aimed at several times as much behind it; always
   /// where they look at none. With speckle the ground of cells counts that reach into the outermost beams from beside.
   /// Throws Error for a pose that is nowhere.
-  [[nodiscard]] bool can_trace(const render::Pose& pose) const;
+  [[nodiscard]] bool can_trace(const live::Pose& pose) const;
 
   /// Throws Error for what can_trace says no to, and for a bin that is too bright for its sums.
-  const render::Frame& render(const render::Pose& pose);
+  const live::Frame& render(const live::Pose& pose);
   /// Beams first … first + count − 1 anew, the others as they were: one step of a scanning antenna, traced as a frame
   /// of those beams alone, whose report it has. Rays are added to those before where the pose is the same and so are
   /// the beams, whichever others were asked for in between; beams that overlap with others end those, and steps end the
@@ -81,12 +81,12 @@ class LiveTracer {
   /// At one pose a turn in steps holds the bytes of a whole frame as far as echoes come straight back. Of paths of
   /// several bounces a step has those that begin no farther beside it than trace::MultibounceReach says, as every frame
   /// has, and with rays that are weighted by what else is traced: a turn lacks a few thousandths of the power, and its
-  /// noise is its own. Throws Error as render::check_step does and as `render` does.
-  const render::Frame& scan(const render::Pose& pose, std::size_t first_beam, std::size_t count);
+  /// noise is its own. Throws Error as live::check_step does and as `render` does.
+  const live::Frame& scan(const live::Pose& pose, std::size_t first_beam, std::size_t count);
 
   /// What render::choose_detail is to be asked for such a frame, of this scene; what an atlas offers instead is the
-  /// caller's to add (render::with_ground). Throws Error for a pose that is nowhere.
-  [[nodiscard]] render::DetailQuestion question(const render::Pose& pose) const;
+  /// caller's to add (live::with_ground). Throws Error for a pose that is nowhere.
+  [[nodiscard]] render::DetailQuestion question(const live::Pose& pose) const;
 
  private:
   struct Beams {
@@ -101,9 +101,9 @@ class LiveTracer {
   struct Look {
     Vec3d radar;  ///< from where lines of sight are straight
     double near_m = 0.0, far_m = 0.0;
-    render::FrameReach sharing;     ///< where ground lies that has a share in the bins
-    render::FrameReach halfway_up;  ///< where bins lie on ground of one height, between the lowest and the highest
-    radar::Rectangle ground;        ///< of the scene, under all beams; nothing when its east lies west
+    live::FrameReach sharing;     ///< where ground lies that has a share in the bins
+    live::FrameReach halfway_up;  ///< where bins lie on ground of one height, between the lowest and the highest
+    radar::Rectangle ground;      ///< of the scene, under all beams; nothing when its east lies west
   };
   /// Beams that are traced together, call after call.
   struct Step {
@@ -112,33 +112,33 @@ class LiveTracer {
     double cells = 0.0;                    ///< of the lattice, in it
   };
 
-  [[nodiscard]] Look look_of(const render::Pose& pose) const;
-  [[nodiscard]] Look look_from(Vec3d radar, const render::Pose& pose) const;
+  [[nodiscard]] Look look_of(const live::Pose& pose) const;
+  [[nodiscard]] Look look_from(Vec3d radar, const live::Pose& pose) const;
   /// Of the scene what lies under beams and so many beside them.
-  [[nodiscard]] radar::Rectangle ground_under(const Look& look, const render::Pose& pose, Beams beams,
+  [[nodiscard]] radar::Rectangle ground_under(const Look& look, const live::Pose& pose, Beams beams,
                                               double rim_beams) const;
   /// The same as far as it is traced for them.
-  [[nodiscard]] radar::Rectangle ground_traced(const Look& look, const render::Pose& pose, Beams beams) const;
+  [[nodiscard]] radar::Rectangle ground_traced(const Look& look, const live::Pose& pose, Beams beams) const;
   /// Whether power is kept by cells of the lattice, as speckle needs it.
   [[nodiscard]] bool keeps_cells() const;
   /// TracedView::rim_beams.
-  [[nodiscard]] double rim_beams(const Look& look, const render::Pose& pose) const;
+  [[nodiscard]] double rim_beams(const Look& look, const live::Pose& pose) const;
   [[nodiscard]] int lattice_level(const Look& look) const;
   [[nodiscard]] double lattice_cell_m(const Look& look) const;
   [[nodiscard]] double cells_in(const radar::Rectangle& area, const Look& look) const;
   [[nodiscard]] double cells_aimed_at(const radar::Rectangle& area, const Look& look) const;
   /// How many beams a cell of the lattice may be wide.
-  [[nodiscard]] double widest_cell_beams(const Look& look, const render::Pose& pose) const;
-  void begin(const render::Pose& pose);
+  [[nodiscard]] double widest_cell_beams(const Look& look, const live::Pose& pose) const;
+  void begin(const live::Pose& pose);
   /// That of these beams, with what they have been brought since the pose is what it is.
-  [[nodiscard]] TracedGround* ground_of(const render::Pose& pose, Beams beams);
-  [[nodiscard]] std::unique_ptr<TracedGround> made_ground(const render::Pose& pose, Beams beams) const;
-  void show_ground(const render::Pose& pose, const TracedGround& ground);
-  void add_targets(const render::Pose& pose, Beams beams);
+  [[nodiscard]] TracedGround* ground_of(const live::Pose& pose, Beams beams);
+  [[nodiscard]] std::unique_ptr<TracedGround> made_ground(const live::Pose& pose, Beams beams) const;
+  void show_ground(const live::Pose& pose, const TracedGround& ground);
+  void add_targets(const live::Pose& pose, Beams beams);
 
   const scene::Scene& scene_;
   const trace::SceneGeometry& geometry_;
-  render::LiveSettings settings_;
+  live::LiveSettings settings_;
   LiveTraceSettings tracing_;
   std::vector<scatter::SurfaceModel> surfaces_;
   radar::ScattererLattice lattice_;
@@ -156,9 +156,9 @@ class LiveTracer {
   std::vector<radar::ShadowBox> boxes_;
   std::vector<Step> steps_;
 
-  render::DrawnBeams drawn_;
+  live::DrawnBeams drawn_;
   std::vector<float> bins_;  // [beam][range][number]
-  render::Frame frame_;
+  live::Frame frame_;
 };
 
 }  // namespace sigmascape::simulate

@@ -10,8 +10,8 @@
 #include "sigmascape/receiver/target_echoes.h"
 #include "sigmascape/simulate/answering_ground.h"
 #include "sigmascape/simulate/launch_for_map.h"
+#include "sigmascape/simulate/part_seen.h"
 #include "sigmascape/simulate/placement.h"
-#include "sigmascape/simulate/target_sight.h"
 #include "sigmascape/simulate/unhidden_echoes.h"
 #include "sigmascape/trace/tile_progress.h"
 

@@ -150,7 +150,7 @@ radar::GroundGrid map_grid(const radar::MapRequest& request, const radar::Rectan
 TargetGround::TargetGround(const terrain::HeightField& terrain)
     : extent(terrain.extent()), height_at([&terrain](Vec2d place) { return terrain.height_at(place); }) {}
 
-TargetGround::TargetGround(const render::LiveTerrain& terrain)
+TargetGround::TargetGround(const live::LiveTerrain& terrain)
     : extent(terrain.pyramid().extent()), height_at([&terrain](Vec2d place) { return terrain.height_at(place); }) {}
 
 std::vector<radar::Target> placed_targets(std::span<const radar::TargetSource> sources, const geo::LocalFrame& frame,

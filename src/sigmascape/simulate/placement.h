@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "sigmascape/geo/local_frame.h"
+#include "sigmascape/live/live_terrain.h"
 #include "sigmascape/radar/radar_file.h"
 #include "sigmascape/radar/target_file.h"
-#include "sigmascape/render/live_terrain.h"
 #include "sigmascape/scene/scene.h"
 #include "sigmascape/terrain/height_field.h"
 
@@ -31,7 +31,7 @@ namespace sigmascape::simulate {
 /// targets stand. The terrain must outlive it.
 struct TargetGround {
   TargetGround(const terrain::HeightField& terrain);  // NOLINT(google-explicit-constructor): said by its terrain
-  TargetGround(const render::LiveTerrain& terrain);   // NOLINT(google-explicit-constructor)
+  TargetGround(const live::LiveTerrain& terrain);     // NOLINT(google-explicit-constructor)
 
   radar::Rectangle extent;
   std::function<double(Vec2d)> height_at;  ///< above mean sea level, within the extent

@@ -12,7 +12,7 @@
 #include "sigmascape/simulate/coherent.h"
 #include "sigmascape/simulate/launch_for_map.h"
 #include "sigmascape/simulate/map_tracer.h"
-#include "sigmascape/simulate/target_sight.h"
+#include "sigmascape/simulate/part_seen.h"
 
 namespace sigmascape::simulate {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <span>
 
-#include "sigmascape/render/frame_power.h"
+#include "sigmascape/live/frame_power.h"
 
 namespace sigmascape::simulate {
 namespace {
@@ -46,9 +46,9 @@ void TargetBlend::put_in_order(const receiver::TargetsApart& targets, Bins& bins
   }
 }
 
-void TargetBlend::blend(const render::Frame& first, const render::Frame& second, double second_share,
+void TargetBlend::blend(const live::Frame& first, const live::Frame& second, double second_share,
                         std::size_t first_beam, std::size_t count, receiver::TargetsByBeam& blended) {
-  const auto of_step = [&](const render::Frame& frame) {
+  const auto of_step = [&](const live::Frame& frame) {
     return receiver::of_beams(frame.targets, first_beam, count, frame.grid.ranges);
   };
   const receiver::TargetsApart of_first = of_step(first), of_second = of_step(second);
@@ -61,8 +61,8 @@ void TargetBlend::blend(const render::Frame& first, const render::Frame& second,
   blend_echoes(of_first.echoes, of_second.echoes, share, room.echoes);
   auto to = room.bins.begin();
   visit_both(first_, second_, [&](std::uint32_t bin, const radar::Channels* one, const radar::Channels* other) {
-    const radar::Channels of_one = one != nullptr ? *one : render::power_of_bin(first, bin);
-    const radar::Channels of_other = other != nullptr ? *other : render::power_of_bin(second, bin);
+    const radar::Channels of_one = one != nullptr ? *one : live::power_of_bin(first, bin);
+    const radar::Channels of_other = other != nullptr ? *other : live::power_of_bin(second, bin);
     *to++ = {.bin = bin, .rcs_m2 = of_one * (1.0F - share) + of_other * share};
   });
 }

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "sigmascape/live/live_renderer.h"
 #include "sigmascape/receiver/targets_by_beam.h"
-#include "sigmascape/render/live_renderer.h"
 
 namespace sigmascape::simulate {
 
@@ -15,7 +15,7 @@ class TargetBlend {
  public:
   /// Of beams first … first + count − 1, the second frame with that share of the power, in place of what `blended` has
   /// of them.
-  void blend(const render::Frame& first, const render::Frame& second, double second_share, std::size_t first_beam,
+  void blend(const live::Frame& first, const live::Frame& second, double second_share, std::size_t first_beam,
              std::size_t count, receiver::TargetsByBeam& blended);
 
  private:

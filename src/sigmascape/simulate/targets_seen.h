@@ -9,7 +9,7 @@
 #include "sigmascape/radar/radar.h"
 #include "sigmascape/radar/target.h"
 #include "sigmascape/scene/scene.h"
-#include "sigmascape/simulate/target_sight.h"
+#include "sigmascape/simulate/part_seen.h"
 #include "sigmascape/trace/scene_geometry.h"
 
 namespace sigmascape::simulate {

@@ -111,7 +111,7 @@ void TerrainWindow::form_slopes() {
   }
 }
 
-WindowReport TerrainWindow::fill(TerrainPyramid& pyramid, const radar::Rectangle& area, int level, TileWait wait) {
+WindowReport TerrainWindow::fill(TerrainPyramid& pyramid, const radar::Rectangle& area, int level) {
   const PyramidLayout& layout = pyramid.layout();
   const int last = layout.levels() - 1;
   WindowReport report{.level = std::clamp(level, 0, last)};
@@ -126,12 +126,11 @@ WindowReport TerrainWindow::fill(TerrainPyramid& pyramid, const radar::Rectangle
   const std::vector<TileKey> wanted = tiles_over(layout, area, report.level);
   report.tiles = wanted.size();
   for (const TileKey& key : wanted) {
-    const auto get = [&](TileKey k) { return wait == TileWait::Load ? pyramid.load(k) : pyramid.resident(k); };
     TileKey source = key;
-    auto tile = get(source);
+    auto tile = pyramid.load(source);
     while (!tile && source.level < last) {
       source = source.parent();
-      tile = get(source);
+      tile = pyramid.load(source);
     }
     if (tile) copy(report.level, key, source, *tile);
     if (source == key) continue;

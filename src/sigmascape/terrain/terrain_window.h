@@ -20,11 +20,6 @@ struct WindowReport {
   float error_m = 0.0F;                   ///< the greatest error of those that stand in
 };
 
-enum class TileWait {
-  Load,          ///< read what is not in memory
-  ResidentOnly,  ///< never wait: take the finest that is there
-};
-
 enum class WindowSlopes {
   Formed,  ///< as TerrainView::slope
   None,    ///< the view has heights alone, in half the memory
@@ -43,7 +38,7 @@ class TerrainWindow {
 
   /// Fills the window with the terrain over `area`, of `level` or the finest that fits. Tiles that cannot be had are
   /// replaced by their parents.
-  WindowReport fill(TerrainPyramid& pyramid, const radar::Rectangle& area, int level, TileWait wait);
+  WindowReport fill(TerrainPyramid& pyramid, const radar::Rectangle& area, int level);
 
   /// Valid until the next `fill`. Before the first it is empty.
   [[nodiscard]] TerrainView view() const;

@@ -14,7 +14,7 @@
 #include "scratch_folder.h"
 #include "unit/c_interface/atlas_of_even_ground.h"
 #include "unit/c_interface/said_in_c.h"
-#include "unit/render/live_ground_example.h"
+#include "unit/live/live_ground_example.h"
 
 #include "sigmascape/atlas/terrain_file.h"
 #include "sigmascape/base/error.h"
@@ -39,15 +39,15 @@ class LiveFromC : public testing::Test {
 };
 
 TEST_F(LiveFromC, GivesTheFrameOfTheCppInterface) {
-  const render::ExampleView view;
-  render::LiveSettings wanted = view.settings(render::FrameContent::Amplitudes);
+  const live::ExampleView view;
+  live::LiveSettings wanted = view.settings(live::FrameContent::Amplitudes);
   wanted.seed = 5;
   wanted.cells_per_bin = 1.0;
-  const auto shared = render::LiveGround::open(atlas(), 10e9);
-  render::LiveRenderer expected(shared, wanted);
+  const auto shared = live::LiveGround::open(atlas(), 10e9);
+  live::LiveRenderer expected(shared, wanted);
   expected.render(view.pose());
   shared->wait_until_loaded();
-  const render::Frame& cpp = expected.render(view.pose());
+  const live::Frame& cpp = expected.render(view.pose());
 
   sigmascape_ground* ground = sigmascape_open_ground(atlas().c_str(), 10e9, 0);
   ASSERT_NE(ground, nullptr) << sigmascape_last_error();
@@ -71,8 +71,8 @@ TEST_F(LiveFromC, GivesTheFrameOfTheCppInterface) {
 TEST_F(LiveFromC, TargetsAnswer) {
   const std::string table = folder_->path("nose.csv").string();
   std::ofstream(table) << "azimuth_deg, vv_dbsm, hh_dbsm\n0, 20, 20\n180, 20, 20\n";
-  const render::ExampleView view;
-  const render::LiveSettings wanted = view.settings(render::FrameContent::Powers);
+  const live::ExampleView view;
+  const live::LiveSettings wanted = view.settings(live::FrameContent::Powers);
   sigmascape_ground* ground = sigmascape_open_ground(atlas().c_str(), 10e9, 0);
   ASSERT_NE(ground, nullptr) << sigmascape_last_error();
   sigmascape_settings settings = said_in_c(wanted);
@@ -141,9 +141,9 @@ TEST_F(LiveFromC, TargetsAnswer) {
 }
 
 TEST_F(LiveFromC, DefaultsAreThoseOfTheCppInterface) {
-  const render::LiveSettings live;
+  const live::LiveSettings live;
   const sigmascape_settings settings = sigmascape_default_settings();
-  EXPECT_EQ(settings.content == SIGMASCAPE_AMPLITUDES, live.content == render::FrameContent::Amplitudes);
+  EXPECT_EQ(settings.content == SIGMASCAPE_AMPLITUDES, live.content == live::FrameContent::Amplitudes);
   EXPECT_EQ(settings.beams, live.beams);
   EXPECT_EQ(settings.ranges, live.ranges);
   EXPECT_EQ(settings.beam_step_rad, live.beam_step_rad);
@@ -164,13 +164,13 @@ TEST_F(LiveFromC, DefaultsAreThoseOfTheCppInterface) {
 /// A target of 100 m² in the middle of the example's view, and what frames have more by it than the ground alone.
 class OneTargetFromC {
  public:
-  OneTargetFromC(const std::string& atlas, const render::ExampleView& view) : pose(said_in_c(view.pose())) {
+  OneTargetFromC(const std::string& atlas, const live::ExampleView& view) : pose(said_in_c(view.pose())) {
     target.position_m[0] = view.target.x;
     target.position_m[1] = view.target.y;
     target.position_m[2] = 2.0;
     target.rcs_m2[0] = 100.0F;
     ground_ = sigmascape_open_ground(atlas.c_str(), 10e9, 0);
-    sigmascape_settings settings = said_in_c(view.settings(render::FrameContent::Powers));
+    sigmascape_settings settings = said_in_c(view.settings(live::FrameContent::Powers));
     settings.content = SIGMASCAPE_POWERS;
     renderer_ = sigmascape_make_renderer(ground_, &settings);
     if (renderer_ == nullptr) throw Error("C interface", sigmascape_last_error(), "see the test");
@@ -220,7 +220,7 @@ class OneTargetFromC {
 };
 
 TEST_F(LiveFromC, TargetsFluctuateByTheirCaseSeedDwellAndPulse) {
-  const render::ExampleView view;
+  const live::ExampleView view;
   OneTargetFromC one(atlas(), view);
   const auto at = [&](std::uint64_t dwell, std::uint64_t pulse) {
     one.pose.dwell = dwell;
@@ -256,7 +256,7 @@ TEST_F(LiveFromC, TargetsFluctuateByTheirCaseSeedDwellAndPulse) {
 
 TEST_F(LiveFromC, TargetsMoveByTheirVelocity) {
   // Seen from the east under 13°, and so coming nearer.
-  const render::ExampleView view{.azimuth_deg = 90.0};
+  const live::ExampleView view{.azimuth_deg = 90.0};
   OneTargetFromC one(atlas(), view);
   one.target.velocity_mps[0] = 30.0;
   const auto mean_range_m = [&](double time_s) {
@@ -267,7 +267,7 @@ TEST_F(LiveFromC, TargetsMoveByTheirVelocity) {
       sum += powers[i];
       moment += powers[i] * static_cast<double>(i % view.ranges);
     }
-    return moment / sum * view.settings(render::FrameContent::Powers).range_step_m;
+    return moment / sum * view.settings(live::FrameContent::Powers).range_step_m;
   };
   EXPECT_NEAR(mean_range_m(0.0) - mean_range_m(5.0), 150.0 * std::cos(radians_from_deg(13.0)), 1.0);
 }
@@ -275,7 +275,7 @@ TEST_F(LiveFromC, TargetsMoveByTheirVelocity) {
 TEST_F(LiveFromC, TablesTurnWithTheHeading) {
   const std::string table = folder_->path("long.csv").string();
   std::ofstream(table) << "azimuth_deg, vv_dbsm, hh_dbsm\n0, 20, 20\n90, 0, 0\n180, 20, 20\n270, 0, 0\n";
-  const render::ExampleView view;
+  const live::ExampleView view;
   OneTargetFromC one(atlas(), view);
   one.target.rcs_table = table.c_str();
   one.target.heading_rad = radians_from_deg(view.azimuth_deg);
@@ -326,7 +326,7 @@ TEST_F(LiveFromC, PosesAndTargetsThatAreNowhereAreRefused) {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN(), infinite = std::numeric_limits<double>::infinity();
   sigmascape_frame frame;
   const auto said_of_pose = [&](auto spoil) {
-    sigmascape_pose pose = said_in_c(render::ExampleView().pose());
+    sigmascape_pose pose = said_in_c(live::ExampleView().pose());
     spoil(pose);
     EXPECT_NE(sigmascape_render(renderer, &pose, &frame), 0);
     return std::string(sigmascape_last_error());
@@ -363,7 +363,7 @@ TEST_F(LiveFromC, PosesAndTargetsThatAreNowhereAreRefused) {
               HasSubstr("moves in a way"));
 
   // A step of a scan that ends beyond the last beam takes those that are there; of none there would be stale beams.
-  const sigmascape_pose pose = said_in_c(render::ExampleView().pose());
+  const sigmascape_pose pose = said_in_c(live::ExampleView().pose());
   EXPECT_EQ(sigmascape_scan(renderer, &pose, 3, std::numeric_limits<std::size_t>::max(), &frame), 0);
   for (const std::size_t first : {settings.beams, std::numeric_limits<std::size_t>::max()}) {
     EXPECT_NE(sigmascape_scan(renderer, &pose, first, 2, &frame), 0);
@@ -385,7 +385,7 @@ TEST_F(LiveFromC, PosesAndTargetsThatAreNowhereAreRefused) {
 
 /// What an example prints over an atlas.
 std::string printed_by(const char* example, const std::string& atlas, const std::string& output) {
-  const Vec2d middle = render::ExampleGround{}.middle();
+  const Vec2d middle = live::ExampleGround{}.middle();
   const std::string command = std::string(example) + " " + atlas + " " + std::to_string(middle.x) + " " +
                               std::to_string(middle.y) + " > " + output;
   EXPECT_EQ(std::system(command.c_str()), 0) << command;
@@ -397,7 +397,7 @@ TEST_F(LiveFromC, TheExamplesRunOverTerrainInOneFileAndInTiles) {
   const std::string tiled = folder_->path("tiled").string();
   std::filesystem::copy(atlas(), tiled, std::filesystem::copy_options::recursive);
   std::filesystem::remove(std::filesystem::path(tiled) / atlas::terrain_name);
-  terrain::build_pyramid(std::filesystem::path(tiled) / atlas::terrain_pyramid_name, render::ExampleGround{}.terrain(),
+  terrain::build_pyramid(std::filesystem::path(tiled) / atlas::terrain_pyramid_name, live::ExampleGround{}.terrain(),
                          atlas::Store::open(tiled).description().frame);
   for (const char* example : {SIGMASCAPE_EXAMPLE_C, SIGMASCAPE_EXAMPLE_CPP}) {
     const std::string output = folder_->path("output.txt").string();

@@ -6,7 +6,7 @@
 
 #include "scratch_folder.h"
 #include "unit/c_interface/said_in_c.h"
-#include "unit/render/live_ground_example.h"
+#include "unit/live/live_ground_example.h"
 
 #include "sigmascape/atlas/terrain_file.h"
 #include "sigmascape/c_interface/sigmascape.h"
@@ -20,7 +20,7 @@ class PlacesFromC : public testing::Test {
  protected:
   static void SetUpTestSuite() {
     folder_ = std::make_unique<ScratchFolder>();
-    example_.sigma0 = [](const radar::Look& look) { return render::constant_gamma(0.1, look); };
+    example_.sigma0 = [](const radar::Look& look) { return live::constant_gamma(0.1, look); };
     example_.height_m = [](Vec2d way) { return 50.0 + 0.1 * way.x; };
     const auto store = example_.store(folder_->path("atlas"));
     terrain::write_height_field(folder_->path("atlas") / atlas::terrain_name, example_.terrain(),
@@ -34,7 +34,7 @@ class PlacesFromC : public testing::Test {
   }
   void SetUp() override { ASSERT_NE(ground_, nullptr) << sigmascape_last_error(); }
 
-  static inline render::ExampleGround example_;
+  static inline live::ExampleGround example_;
   static inline std::unique_ptr<ScratchFolder> folder_;
   static inline sigmascape_ground* ground_ = nullptr;
 };
@@ -109,8 +109,8 @@ TEST_F(PlacesFromC, TheAtlasSaysWhatItCoversAndHowHighItsGroundIs) {
 }
 
 TEST_F(PlacesFromC, AFrameSaysThatTheRadarIsBelowTheGround) {
-  const render::ExampleView view;
-  sigmascape_settings settings = said_in_c(view.settings(render::FrameContent::Powers));
+  const live::ExampleView view;
+  sigmascape_settings settings = said_in_c(view.settings(live::FrameContent::Powers));
   sigmascape_renderer* renderer = sigmascape_make_renderer(ground_, &settings);
   ASSERT_NE(renderer, nullptr) << sigmascape_last_error();
   const Vec2d high = example_.middle() + Vec2d{500.0, 0.0};

@@ -10,11 +10,11 @@
 #include "scratch_folder.h"
 #include "unit/c_interface/atlas_of_even_ground.h"
 #include "unit/c_interface/said_in_c.h"
-#include "unit/render/live_ground_example.h"
+#include "unit/live/live_ground_example.h"
 
 #include "sigmascape/c_interface/sigmascape.h"
+#include "sigmascape/live/live_receiver.h"
 #include "sigmascape/radar/radar_file.h"
-#include "sigmascape/render/live_receiver.h"
 
 namespace sigmascape {
 namespace {
@@ -40,7 +40,7 @@ class ReceiverFromC : public testing::Test {
 
   ReceiverFromC() {
     ground_ = sigmascape_open_ground(folder_->path("atlas").string().c_str(), 10e9, 0);
-    sigmascape_settings settings = said_in_c(view_.settings(render::FrameContent::Powers));
+    sigmascape_settings settings = said_in_c(view_.settings(live::FrameContent::Powers));
     settings.content = SIGMASCAPE_POWERS;
     renderer_ = sigmascape_make_renderer(ground_, &settings);
   }
@@ -59,7 +59,7 @@ class ReceiverFromC : public testing::Test {
   }
 
   static inline std::unique_ptr<ScratchFolder> folder_;
-  render::ExampleView view_;
+  live::ExampleView view_;
   sigmascape_ground* ground_ = nullptr;
   sigmascape_renderer* renderer_ = nullptr;
 };
@@ -76,17 +76,17 @@ TEST_F(ReceiverFromC, HearsWhatTheCppInterfaceHears) {
   sigmascape_heard heard;
   ASSERT_EQ(sigmascape_hear(receiver, renderer_, &heard), 0) << sigmascape_last_error();
 
-  const auto shared = render::LiveGround::open(folder_->path("atlas").string(), 10e9);
-  render::LiveRenderer renderer(shared, view_.settings(render::FrameContent::Powers));
+  const auto shared = live::LiveGround::open(folder_->path("atlas").string(), 10e9);
+  live::LiveRenderer renderer(shared, view_.settings(live::FrameContent::Powers));
   radar::Target same;
   same.track = radar::Track::straight(Vec3d{view_.target.x, view_.target.y, 100.0});
   same.rcs_m2 = radar::Channels{1e4F, 1e4F, 0.0F, 1e4F};
-  render::Pose from = view_.pose();
+  live::Pose from = view_.pose();
   from.targets = {&same, 1};
-  const render::Frame& frame = render::settled_frame(renderer, *shared, from);
+  const live::Frame& frame = live::settled_frame(renderer, *shared, from);
   const radar::Radar radar = radar::read_radar_file(radar_file(), radar::PlaceOfRadar::Optional).radar;
-  render::LiveReceiver expected(radar, radar::Polarization::HH, shared);
-  const render::HeardPower& cpp = expected.hear(frame);
+  live::LiveReceiver expected(radar, radar::Polarization::HH, shared);
+  const live::HeardPower& cpp = expected.hear(frame);
   EXPECT_THAT(numbers(heard), testing::ElementsAreArray(cpp.signal_w));
   EXPECT_EQ(heard.noise_w, cpp.noise_w);
   EXPECT_EQ(heard.beams, view_.beams);

@@ -1,12 +1,12 @@
 #pragma once
 
 #include "sigmascape/c_interface/sigmascape.h"
-#include "sigmascape/render/live_renderer.h"
+#include "sigmascape/live/live_renderer.h"
 
 namespace sigmascape {
 
 /// The settings of an example as a program in C would write them; content is left as it is by default.
-inline sigmascape_settings said_in_c(const render::LiveSettings& wanted) {
+inline sigmascape_settings said_in_c(const live::LiveSettings& wanted) {
   sigmascape_settings settings = sigmascape_default_settings();
   settings.beams = wanted.beams;
   settings.ranges = wanted.ranges;
@@ -18,7 +18,7 @@ inline sigmascape_settings said_in_c(const render::LiveSettings& wanted) {
   return settings;
 }
 
-inline sigmascape_pose said_in_c(const render::Pose& wanted) {
+inline sigmascape_pose said_in_c(const live::Pose& wanted) {
   sigmascape_pose pose = {};
   pose.position_m[0] = wanted.position.x;
   pose.position_m[1] = wanted.position.y;

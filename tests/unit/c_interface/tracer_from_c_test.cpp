@@ -8,7 +8,7 @@
 #include "end_to_end/made_scene.h"
 #include "scratch_folder.h"
 #include "unit/c_interface/said_in_c.h"
-#include "unit/render/live_ground_example.h"
+#include "unit/live/live_ground_example.h"
 
 #include "sigmascape/atlas/terrain_file.h"
 #include "sigmascape/c_interface/sigmascape.h"
@@ -20,8 +20,7 @@ namespace sigmascape {
 namespace {
 
 /// Whether so many beams from that one on are the same to the byte, and not all dark.
-bool holds_beams_of(const sigmascape_frame& frame, const render::Frame& cpp, std::size_t first_beam,
-                    std::size_t count) {
+bool holds_beams_of(const sigmascape_frame& frame, const live::Frame& cpp, std::size_t first_beam, std::size_t count) {
   const auto beams = cpp.amplitudes_m.subspan(first_beam * cpp.grid.ranges * 4, count * cpp.grid.ranges * 4);
   return std::ranges::any_of(beams, [](auto a) { return std::norm(a) > 0.0F; }) &&
          std::memcmp(frame.amplitudes_m + first_beam * cpp.grid.ranges * 8, beams.data(), beams.size_bytes()) == 0;
@@ -30,16 +29,16 @@ bool holds_beams_of(const sigmascape_frame& frame, const render::Frame& cpp, std
 TEST(TracerFromC, GivesTheFrameOfTheCppInterface) {
   const ScratchFolder folder;
   const std::string file = end_to_end::write_made_scene(folder.path("town"), 160.0, 160.0).string();
-  render::ExampleView view;
+  live::ExampleView view;
   view.target = {};
   view.bin_m = 4.0;
   view.beams = view.ranges = 24;
-  const render::LiveSettings wanted = view.settings(render::FrameContent::Amplitudes);
-  const render::Pose pose = view.pose();
+  const live::LiveSettings wanted = view.settings(live::FrameContent::Amplitudes);
+  const live::Pose pose = view.pose();
   const scene::Scene scene = scene::read_scene(file);
   const trace::SceneGeometry geometry(scene, trace::Footing::Terrain);
   simulate::LiveTracer expected(scene, geometry, wanted, {.rays_per_cell = 4, .lattice_m = 1.0});
-  const render::Frame& cpp = expected.render(pose);
+  const live::Frame& cpp = expected.render(pose);
 
   sigmascape_scene* opened = sigmascape_open_scene(file.c_str());
   ASSERT_NE(opened, nullptr) << sigmascape_last_error();
@@ -71,7 +70,7 @@ TEST(TracerFromC, GivesTheFrameOfTheCppInterface) {
   EXPECT_EQ(frame.rays_per_cell, 8U);
 
   ASSERT_EQ(sigmascape_set_targets(tracer, nullptr, 0), 0) << sigmascape_last_error();
-  const render::Frame& step = expected.scan(pose, 5, 4);
+  const live::Frame& step = expected.scan(pose, 5, 4);
   ASSERT_EQ(sigmascape_scan(tracer, &from, 5, 4, &frame), 0) << sigmascape_last_error();
   EXPECT_EQ(frame.cells, step.report.cells);
   EXPECT_TRUE(holds_beams_of(frame, step, 5, 4));
@@ -83,13 +82,13 @@ TEST(TracerFromC, TargetsOfTheSceneAnswerBesidesThoseThatAreSet) {
   const std::filesystem::path file = end_to_end::write_made_scene(folder.path("town"), 160.0, 160.0);
   std::ofstream(file, std::ios::app)
       << "\n[[point_targets]]\nposition_m = [0.0, 0.0]\nheight_m = 40.0\nrcs_dbsm = 40.0\n";
-  render::ExampleView view;
+  live::ExampleView view;
   view.target = {};
   view.bin_m = 4.0;
   view.beams = view.ranges = 24;
   sigmascape_scene* scene = sigmascape_open_scene(file.c_str());
   ASSERT_NE(scene, nullptr) << sigmascape_last_error();
-  const sigmascape_settings settings = said_in_c(view.settings(render::FrameContent::Powers));
+  const sigmascape_settings settings = said_in_c(view.settings(live::FrameContent::Powers));
   sigmascape_tracing tracing = sigmascape_default_tracing();
   tracing.rays_per_cell = 1;
   sigmascape_renderer* tracer = sigmascape_make_tracer(scene, &settings, &tracing);
@@ -116,23 +115,23 @@ TEST(TracerFromC, TargetsOfTheSceneAnswerBesidesThoseThatAreSet) {
 TEST(FlightFromC, TracesWhatIsSeenCloselyAndLeavesTheRestToTextures) {
   const ScratchFolder folder;
   const std::string file = end_to_end::write_made_scene(folder.path("town"), 160.0, 160.0).string();
-  render::ExampleGround example;
-  example.sigma0 = [](const radar::Look& look) { return render::constant_gamma(0.1, look); };
+  live::ExampleGround example;
+  example.sigma0 = [](const radar::Look& look) { return live::constant_gamma(0.1, look); };
   example.scene_hash = scene::scene_hash(scene::read_scene(file));
   const auto store = example.store(folder.path("atlas"));
   terrain::write_height_field(folder.path("atlas") / atlas::terrain_name, example.terrain(),
                               store.description().frame.proj());
   atlas::vouch_for_terrain(store);
-  render::ExampleView view;
+  live::ExampleView view;
   view.target = {};
   view.bin_m = 4.0;
   view.beams = view.ranges = 24;
-  const render::LiveSettings wanted = view.settings(render::FrameContent::Amplitudes);
-  const render::Pose pose = view.pose();
+  const live::LiveSettings wanted = view.settings(live::FrameContent::Amplitudes);
+  const live::Pose pose = view.pose();
   const scene::Scene scene = scene::read_scene(file);
   const trace::SceneGeometry geometry(scene, trace::Footing::Terrain);
   simulate::LiveTracer expected(scene, geometry, wanted, {.rays_per_cell = 4, .lattice_m = example.texel_m});
-  const render::Frame& cpp = expected.render(pose);
+  const live::Frame& cpp = expected.render(pose);
 
   sigmascape_scene* town = sigmascape_open_scene(file.c_str());
   sigmascape_ground* ground = sigmascape_open_ground(folder.path("atlas").c_str(), 10e9, 0);
@@ -151,7 +150,7 @@ TEST(FlightFromC, TracesWhatIsSeenCloselyAndLeavesTheRestToTextures) {
   EXPECT_EQ(sigmascape_textured_share(flight), 0.0);
   EXPECT_EQ(frame.rays_per_cell, 4U);
   EXPECT_EQ(std::memcmp(frame.amplitudes_m, cpp.amplitudes_m.data(), cpp.amplitudes_m.size_bytes()), 0);
-  const render::Frame& step = expected.scan(pose, 3, 4);
+  const live::Frame& step = expected.scan(pose, 3, 4);
   ASSERT_EQ(sigmascape_scan(flight, &from, 3, 4, &frame), 0) << sigmascape_last_error();
   EXPECT_EQ(frame.cells, step.report.cells);
   EXPECT_TRUE(holds_beams_of(frame, step, 0, 24)) << "others are left as they were";

@@ -10,17 +10,17 @@
 #include <vector>
 
 #include "physics/level_scene.h"
-#include "unit/render/live_ground_example.h"
+#include "unit/live/live_ground_example.h"
 
 #include "sigmascape/base/error.h"
-#include "sigmascape/render/frame_image.h"
-#include "sigmascape/render/live_receiver.h"
+#include "sigmascape/live/frame_image.h"
+#include "sigmascape/live/live_receiver.h"
 #include "sigmascape/simulate/frame_blend.h"
 
 namespace sigmascape::simulate {
 namespace {
 
-using render::FrameContent;
+using live::FrameContent;
 
 constexpr double gamma = 0.1;
 constexpr int frames_a_change = 6;
@@ -46,18 +46,18 @@ class LiveFlightTest : public testing::Test {
     ground_ = example_.over(store);
   }
 
-  [[nodiscard]] static render::LiveSettings bins(FrameContent content) {
-    render::ExampleView view;
+  [[nodiscard]] static live::LiveSettings bins(FrameContent content) {
+    live::ExampleView view;
     view.beams = view.ranges = 24;
     view.bin_m = 12.0;
     return view.settings(content);
   }
   /// From that many times as far away as 4 km, so that the beams are as much wider on the ground.
-  [[nodiscard]] render::Pose pose(double times) const {
-    render::ExampleView view;
+  [[nodiscard]] live::Pose pose(double times) const {
+    live::ExampleView view;
     view.beams = view.ranges = 24;
     view.target = example_.middle();
-    render::Pose pose = view.pose();
+    live::Pose pose = view.pose();
     const Vec3d target{view.target.x, view.target.y, 0.0};
     pose.position = target + (pose.position - target) * times;
     pose.first_range_m += view.slant_range_m * (times - 1.0);
@@ -81,14 +81,14 @@ class LiveFlightTest : public testing::Test {
   }
 
   ScratchFolder folder_;
-  render::ExampleGround example_;
-  std::shared_ptr<render::LiveGround> ground_;
+  live::ExampleGround example_;
+  std::shared_ptr<live::LiveGround> ground_;
   scene::Scene scene_;
   std::unique_ptr<trace::SceneGeometry> geometry_;
 };
 
 /// Of every number in a frame: VV, HH, HV and what is fourth, or |a|².
-std::vector<double> powers_of(const render::Frame& frame) {
+std::vector<double> powers_of(const live::Frame& frame) {
   std::vector<double> powers(frame.powers_m2.begin(), frame.powers_m2.end());
   for (const std::complex<float>& amplitude : frame.amplitudes_m)
     powers.push_back(static_cast<double>(std::norm(amplitude)));
@@ -111,12 +111,12 @@ TEST_F(LiveFlightTest, NoStepShowsWhereTracingEnds) {
   for (const FrameContent content : {FrameContent::Powers, FrameContent::Amplitudes}) {
     LiveFlight live = flight(content);
     LiveTracer tracer = this->tracer(content);
-    render::LiveRenderer renderer(ground_, bins(content));
+    live::LiveRenderer renderer(ground_, bins(content));
     live.render(pose(1.9));
     EXPECT_EQ(live.textured_share(), 0.0);
     double share = 0.0, last_db = 0.0, last_traced_db = 0.0, last_textured_db = 0.0;
     for (int step = 0; step < 12; ++step) {
-      const render::Pose here = pose(2.7 + 0.07 * step);
+      const live::Pose here = pose(2.7 + 0.07 * step);
       renderer.render(here);
       ground_->wait_until_loaded();
       const std::vector<double> textured = powers_of(renderer.render(here)), traced = powers_of(tracer.render(here));
@@ -146,7 +146,7 @@ TEST_F(LiveFlightTest, TargetsAreToldApartOnTheWayBetweenLevelsToo) {
   for (const FrameContent content : {FrameContent::Powers, FrameContent::Amplitudes}) {
     LiveFlight live = flight(content);
     LiveTracer tracer = this->tracer(content);
-    render::LiveRenderer renderer(ground_, bins(content));
+    live::LiveRenderer renderer(ground_, bins(content));
     live.render(pose(1.9));
     const Vec2d middle = example_.middle();
     std::vector<radar::Target> targets(3);
@@ -160,7 +160,7 @@ TEST_F(LiveFlightTest, TargetsAreToldApartOnTheWayBetweenLevelsToo) {
     radar.beam_width_rad = 2.0 * bins(content).beam_step_rad;
     int between = 0;
     for (int step = 0; step < 12; ++step) {
-      render::Pose here = pose(2.7 + 0.07 * step);
+      live::Pose here = pose(2.7 + 0.07 * step);
       here.targets = targets;
       renderer.render(here);
       ground_->wait_until_loaded();
@@ -184,7 +184,7 @@ TEST_F(LiveFlightTest, TargetsAreToldApartOnTheWayBetweenLevelsToo) {
 TEST_F(LiveFlightTest, AScanFillsTheFrameBeamByBeam) {
   for (const FrameContent content : {FrameContent::Powers, FrameContent::Amplitudes}) {
     for (const double times : {1.5, 4.0}) {
-      const render::Pose here = pose(times);
+      const live::Pose here = pose(times);
       LiveFlight at_once = flight(content), scanning = flight(content);
       at_once.render(here);
       scanning.render(pose(times + 0.01));
@@ -192,7 +192,7 @@ TEST_F(LiveFlightTest, AScanFillsTheFrameBeamByBeam) {
       // A flight that has traced once adds rays.
       LiveFlight fresh = flight(content);
       const std::vector<double> whole = powers_of(times < 2.0 ? fresh.render(here) : at_once.render(here));
-      const render::Frame* swept = nullptr;
+      const live::Frame* swept = nullptr;
       for (std::size_t beam = 0; beam < 24; beam += 7) swept = &scanning.scan(here, beam, 7);
       EXPECT_EQ(scanning.textured_share(), times < 2.0 ? 0.0 : 1.0);
       EXPECT_TRUE(powers_of(*swept) == whole) << times;
@@ -204,10 +204,10 @@ TEST_F(LiveFlightTest, AScanFillsTheFrameBeamByBeam) {
 }
 
 TEST_F(LiveFlightTest, AScanPassesFromTracingToTexturesStepByStep) {
-  const render::Pose near = pose(1.9), far = pose(3.0);
+  const live::Pose near = pose(1.9), far = pose(3.0);
   for (const FrameContent content : {FrameContent::Powers, FrameContent::Amplitudes}) {
     LiveTracer tracer = this->tracer(content);
-    render::LiveRenderer renderer(ground_, bins(content));
+    live::LiveRenderer renderer(ground_, bins(content));
     renderer.render(far);
     ground_->wait_until_loaded();
     const std::vector<double> textured = powers_of(renderer.render(far)), traced = powers_of(tracer.render(far));
@@ -229,26 +229,26 @@ TEST_F(LiveFlightTest, AScanPassesFromTracingToTexturesStepByStep) {
 }
 
 /// Hears what flights show over level ground, with an antenna that tells elevations apart.
-render::LiveReceiver receiver_of(const render::LiveSettings& bins) {
+live::LiveReceiver receiver_of(const live::LiveSettings& bins) {
   radar::Radar radar;
   radar.range_resolution_m = 2.0 * bins.range_step_m;
   radar.beam_width_rad = 2.0 * bins.beam_step_rad;
   radar.antenna.elevation = radar::GaussianBeam{};
   radar.antenna.elevation_width_rad = radians_from_deg(4.0);
   radar.antenna.tilt_rad = radians_from_deg(-13.0);
-  return {radar, radar::Polarization::VV, render::GroundHeight([](Vec2d) { return 0.0; }), 1};
+  return {radar, radar::Polarization::VV, live::GroundHeight([](Vec2d) { return 0.0; }), 1};
 }
 
 TEST_F(LiveFlightTest, BeamsSayFromWhereTheyWereDrawnWhateverDrewThem) {
   LiveFlight live = flight(FrameContent::Powers);
-  render::LiveReceiver every = receiver_of(bins(FrameContent::Powers)),
-                       every_third = receiver_of(bins(FrameContent::Powers));
+  live::LiveReceiver every = receiver_of(bins(FrameContent::Powers)),
+                     every_third = receiver_of(bins(FrameContent::Powers));
   std::vector<Vec3d> drawn_from(24);
-  const auto is_as_drawn = [&](const render::Frame& frame) {
-    EXPECT_NO_THROW(render::check_holds(frame, "test"));
+  const auto is_as_drawn = [&](const live::Frame& frame) {
+    EXPECT_NO_THROW(live::check_holds(frame, "test"));
     for (std::size_t beam = 0; beam < 24; ++beam) EXPECT_EQ(frame.beams[beam].radar, drawn_from[beam]) << beam;
   };
-  const auto sees = [&](const render::Frame& frame, const render::Pose& from, std::size_t first, std::size_t count) {
+  const auto sees = [&](const live::Frame& frame, const live::Pose& from, std::size_t first, std::size_t count) {
     std::fill_n(drawn_from.begin() + static_cast<std::ptrdiff_t>(first), count, from.position);
     is_as_drawn(frame);
     every.hear(frame);
@@ -257,21 +257,21 @@ TEST_F(LiveFlightTest, BeamsSayFromWhereTheyWereDrawnWhateverDrewThem) {
   // Traced, on the way, and from textures.
   for (int step = 0; step < 2 * frames_a_change; ++step) {
     const std::size_t first = static_cast<std::size_t>(step) % 6 * 4;
-    render::Pose here = pose(step < 2 ? 1.9 : 3.0);
+    live::Pose here = pose(step < 2 ? 1.9 : 3.0);
     here.position.x += 40.0 * step;
-    const render::Frame& frame = live.scan(here, first, 4);
+    const live::Frame& frame = live.scan(here, first, 4);
     sees(frame, here, first, 4);
     if (step % 3 == 0) every_third.hear(frame);
-    render::LiveReceiver late = receiver_of(bins(FrameContent::Powers));
+    live::LiveReceiver late = receiver_of(bins(FrameContent::Powers));
     EXPECT_THAT(late.hear(frame).signal_w, testing::ElementsAreArray(every.hear(frame).signal_w)) << step;
     EXPECT_THAT(every_third.hear(frame).signal_w, testing::ElementsAreArray(every.hear(frame).signal_w)) << step;
   }
   EXPECT_EQ(live.textured_share(), 1.0);
-  const render::Frame before = live.render(pose(3.0));
-  EXPECT_NO_THROW(render::check_holds(before, "test"));
+  const live::Frame before = live.render(pose(3.0));
+  EXPECT_NO_THROW(live::check_holds(before, "test"));
   live.scan(pose(3.0), 0, 4);
   live.render(pose(3.0));
-  EXPECT_THROW(render::check_holds(before, "test"), Error) << "its bins were drawn into";
+  EXPECT_THROW(live::check_holds(before, "test"), Error) << "its bins were drawn into";
 }
 
 TEST_F(LiveFlightTest, WhatIsInUseIsKeptNearWhereTheChoiceChanges) {
@@ -302,7 +302,7 @@ TEST_F(LiveFlightTest, ARefusedPoseChangesNothing) {
   live.render(pose(3.0));
   const double share = live.textured_share();
   ASSERT_NEAR(share, 2.0 / frames_a_change, 1e-12);
-  render::Pose below = pose(1.9);
+  live::Pose below = pose(1.9);
   below.position = {example_.middle().x, example_.middle().y, -1000.0};
   EXPECT_THROW(live.render(below), Error);
   EXPECT_THROW(live.scan(below, 0, 4), Error);
@@ -314,16 +314,16 @@ TEST_F(LiveFlightTest, ARefusedPoseChangesNothing) {
 TEST_F(LiveFlightTest, WhatCannotBeTracedIsShownFromTextures) {
   LiveFlight live = flight(FrameContent::Powers);
   const LiveTracer tracer = this->tracer(FrameContent::Powers);
-  const render::Pose above = pose(1.3);
+  const live::Pose above = pose(1.3);
   live.render(above);
   ASSERT_EQ(live.textured_share(), 0.0);
   EXPECT_TRUE(tracer.can_trace(above));
   // Under the top of the tower, and in frames before that and after.
-  render::Pose below = above;
+  live::Pose below = above;
   below.position.z = geometry_->highest_m() - 1.0;
   EXPECT_FALSE(tracer.can_trace(below));
   for (int step = 0; step < 2; ++step) {
-    render::LiveRenderer renderer(ground_, bins(FrameContent::Powers));
+    live::LiveRenderer renderer(ground_, bins(FrameContent::Powers));
     renderer.render(below);
     ground_->wait_until_loaded();
     const std::vector<double> textured = powers_of(renderer.render(below));
@@ -347,7 +347,7 @@ TEST_F(LiveFlightTest, WhatIsTooMuchToTraceIsShownFromTextures) {
 }
 
 TEST_F(LiveFlightTest, ExplainsWhichTerrainItsFramesStandOn) {
-  render::LiveSettings coarse = bins(FrameContent::Powers);
+  live::LiveSettings coarse = bins(FrameContent::Powers);
   coarse.cells_per_bin = 1.0;
   LiveFlight live(scene_, *geometry_, ground_, coarse, settings());
   live.render(pose(4.0));

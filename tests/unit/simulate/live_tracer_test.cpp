@@ -10,7 +10,7 @@
 
 #include "peak_memory.h"
 #include "physics/level_scene.h"
-#include "unit/render/frame_numbers.h"
+#include "unit/live/frame_numbers.h"
 #include "unit/simulate/street_scene.h"
 
 #include "sigmascape/base/error.h"
@@ -20,8 +20,8 @@
 namespace sigmascape::simulate {
 namespace {
 
+using live::FrameContent;
 using physics_test::lambert;
-using render::FrameContent;
 
 constexpr double slant_range_m = 20e3;
 const double elevation_rad = radians_from_deg(30.0);
@@ -31,8 +31,8 @@ struct Bins {
   std::size_t count = 24;
   double bin_m = 2.0;
 
-  [[nodiscard]] render::LiveSettings settings(FrameContent content) const {
-    render::LiveSettings settings;
+  [[nodiscard]] live::LiveSettings settings(FrameContent content) const {
+    live::LiveSettings settings;
     settings.content = content;
     settings.beams = settings.ranges = count;
     settings.range_step_m = bin_m * std::cos(elevation_rad);
@@ -41,10 +41,10 @@ struct Bins {
     settings.threads = 2;
     return settings;
   }
-  [[nodiscard]] render::Pose pose() const {
+  [[nodiscard]] live::Pose pose() const {
     const auto bins = settings(FrameContent::Powers);
     const double half = 0.5 * static_cast<double>(count);
-    render::Pose pose;
+    live::Pose pose;
     pose.position = radar::position_seeing({}, pi, elevation_rad, slant_range_m);
     pose.first_azimuth_rad = -half * bins.beam_step_rad;
     pose.first_range_m = slant_range_m - half * bins.range_step_m;
@@ -54,7 +54,7 @@ struct Bins {
 
 class LiveTracerTest : public testing::Test {
  protected:
-  [[nodiscard]] LiveTracer tracer(const render::LiveSettings& settings, std::uint32_t rays = 8) const {
+  [[nodiscard]] LiveTracer tracer(const live::LiveSettings& settings, std::uint32_t rays = 8) const {
     return {scene_, geometry_, settings, {.rays_per_cell = rays, .lattice_m = 1.0}};
   }
   [[nodiscard]] LiveTracer tracer(FrameContent content, std::uint32_t rays = 8) const {
@@ -88,15 +88,15 @@ TEST_F(LiveTracerTest, HoldsThePowerOfTheMapInTheSameBins) {
   // Bins of the map about its middle, three by three blocks of them.
   constexpr std::size_t block = 16, count = 3 * block;
   const std::size_t first_beam = (map.grid.azimuths - count) / 2, first_range = (map.grid.ranges - count) / 2;
-  render::LiveSettings settings = bins_.settings(FrameContent::Powers);
+  live::LiveSettings settings = bins_.settings(FrameContent::Powers);
   settings.beams = settings.ranges = count;
   settings.beam_step_rad = map.grid.azimuth_step_rad;
   settings.range_step_m = map.grid.range_step_m;
-  render::Pose pose = bins_.pose();
+  live::Pose pose = bins_.pose();
   pose.first_azimuth_rad = map.grid.first_azimuth_rad + static_cast<double>(first_beam) * settings.beam_step_rad;
   pose.first_range_m = map.grid.first_range_m + static_cast<double>(first_range) * settings.range_step_m;
   LiveTracer live = tracer(settings, 32);
-  const render::Frame& frame = live.render(pose);
+  const live::Frame& frame = live.render(pose);
 
   double of_map = 0.0, of_frame = 0.0;
   for (std::size_t b = 0; b < 9; ++b) {
@@ -117,9 +117,9 @@ TEST_F(LiveTracerTest, HoldsThePowerOfTheMapInTheSameBins) {
 
 TEST_F(LiveTracerTest, AmplitudesHaveThePowersForTheirMean) {
   constexpr std::uint64_t frames = 100;
-  render::LiveSettings settings = bins_.settings(FrameContent::Powers);
+  live::LiveSettings settings = bins_.settings(FrameContent::Powers);
   LiveTracer powers = tracer(settings, 256);
-  const render::Frame& expected = powers.render(bins_.pose());
+  const live::Frame& expected = powers.render(bins_.pose());
   settings.content = FrameContent::Amplitudes;
   std::vector<double> mean(settings.beams * settings.ranges);
   for (std::uint64_t seed = 1; seed <= frames; ++seed) {
@@ -159,9 +159,9 @@ TEST_F(LiveTracerTest, AmplitudesOfWhatLaysOverTheEdgeOfTheSceneStandAtItsRange)
   const Bins bins{.count = 48, .bin_m = 2.0};
   const LiveTraceSettings tracing{.rays_per_cell = 16, .lattice_m = 1.0};
   std::vector<double> powers(bins.count), amplitudes(bins.count);
-  render::LiveSettings settings = bins.settings(FrameContent::Powers);
+  live::LiveSettings settings = bins.settings(FrameContent::Powers);
   LiveTracer live(scene, geometry, settings, tracing);
-  const render::Frame& frame = live.render(bins.pose());
+  const live::Frame& frame = live.render(bins.pose());
   for (std::size_t bin = 0; bin < bins.count * bins.count; ++bin)
     powers[bin % bins.count] += static_cast<double>(frame.powers_m2[4 * bin]);
   constexpr std::uint64_t frames = 10;
@@ -181,14 +181,14 @@ TEST_F(LiveTracerTest, AmplitudesOfWhatLaysOverTheEdgeOfTheSceneStandAtItsRange)
 
 TEST_F(LiveTracerTest, ThreadsAndCallsDoNotMatter) {
   for (const FrameContent content : {FrameContent::Powers, FrameContent::Amplitudes}) {
-    render::LiveSettings settings = bins_.settings(content);
+    live::LiveSettings settings = bins_.settings(content);
     settings.threads = 1;
     LiveTracer at_once = tracer(settings, 12);
-    const render::Frame& whole = at_once.render(bins_.pose());
+    const live::Frame& whole = at_once.render(bins_.pose());
     settings.threads = 2;
     LiveTracer in_three = tracer(settings, 4);
     for (int call = 0; call < 2; ++call) in_three.render(bins_.pose());
-    const render::Frame& pieces = in_three.render(bins_.pose());
+    const live::Frame& pieces = in_three.render(bins_.pose());
     EXPECT_TRUE(std::ranges::equal(whole.powers_m2, pieces.powers_m2));
     EXPECT_TRUE(std::ranges::equal(whole.amplitudes_m, pieces.amplitudes_m));
     EXPECT_EQ(pieces.report.rays_per_cell, 12U);
@@ -206,8 +206,8 @@ radar::Target target_at(Vec3d position, float rcs_m2, Vec3d size_m = {}) {
 }
 
 /// A turn of the antenna by so many beams a step.
-std::vector<float> swept(LiveTracer& tracer, const render::Pose& pose, std::size_t beams, std::size_t a_step) {
-  const render::Frame* frame = nullptr;
+std::vector<float> swept(LiveTracer& tracer, const live::Pose& pose, std::size_t beams, std::size_t a_step) {
+  const live::Frame* frame = nullptr;
   for (std::size_t beam = 0; beam < beams; beam += a_step) frame = &tracer.scan(pose, beam, a_step);
   return numbers_of(*frame);
 }
@@ -215,11 +215,11 @@ std::vector<float> swept(LiveTracer& tracer, const render::Pose& pose, std::size
 TEST_F(LiveTracerTest, AScanFillsTheFrameBeamByBeam) {
   const std::vector<radar::Target> targets{target_at({0.0, -16.0, 9.0}, 100.0F),
                                            target_at({9.0, 5.0, 12.0}, 1.0F, {9, 9, 9})};
-  render::Pose pose = bins_.pose();
+  live::Pose pose = bins_.pose();
   pose.targets = targets;
   for (const FrameContent content : {FrameContent::Powers, FrameContent::Amplitudes}) {
     for (const std::size_t a_step : {std::size_t{5}, std::size_t{8}, bins_.count}) {
-      render::LiveSettings settings = bins_.settings(content);
+      live::LiveSettings settings = bins_.settings(content);
       // What comes straight back: houses with their layover and shadows.
       const LiveTraceSettings straight{.rays_per_cell = 4, .max_bounces = 1, .lattice_m = 1.0};
       LiveTracer at_once(scene_, geometry_, settings, straight);
@@ -234,12 +234,12 @@ TEST_F(LiveTracerTest, AScanFillsTheFrameBeamByBeam) {
 }
 
 TEST_F(LiveTracerTest, AScanAllRoundHasNoSeamEither) {
-  render::LiveSettings settings = bins_.settings(FrameContent::Amplitudes);
+  live::LiveSettings settings = bins_.settings(FrameContent::Amplitudes);
   settings.beams = 30;
   settings.ranges = 10;
   settings.beam_step_rad = 2.0 * pi / 30.0;
   settings.range_step_m = 2.0;
-  render::Pose pose;
+  live::Pose pose;
   pose.position = {0.0, 0.0, 60.0};
   pose.first_azimuth_rad = 0.3;
   // From the roofs below the radar on, where a cell reaches over several beams.
@@ -255,7 +255,7 @@ TEST_F(LiveTracerTest, AScanAllRoundHasNoSeamEither) {
 
 TEST_F(LiveTracerTest, AScanHasThePowerOfTheFrameWhateverTheBounces) {
   LiveTracer at_once = tracer(FrameContent::Powers, 256), scanning = tracer(FrameContent::Powers, 256);
-  const render::Frame& frame = at_once.render(bins_.pose());
+  const live::Frame& frame = at_once.render(bins_.pose());
   const std::vector<float> steps = swept(scanning, bins_.pose(), bins_.count, 4);
   // Steps of 8 m lack what begins more than 16 m beside them.
   EXPECT_NEAR(10.0 * std::log10(copolar_total(steps) / copolar_total(frame.powers_m2)), 0.0, 0.02);
@@ -274,9 +274,9 @@ TEST_F(LiveTracerTest, AStepOfAScanLeavesTheOtherBeams) {
   LiveTracer live = tracer(FrameContent::Powers, 2);
   const std::vector<float> before = numbers_of(live.render(bins_.pose()));
   const std::size_t a_beam = 4 * bins_.count;
-  render::Pose moved = bins_.pose();
+  live::Pose moved = bins_.pose();
   moved.position.x += 3.0;
-  const render::Frame& frame = live.scan(moved, 6, 5);
+  const live::Frame& frame = live.scan(moved, 6, 5);
   const std::vector<float> after = numbers_of(frame);
   for (std::size_t beam = 0; beam < bins_.count; ++beam) {
     const auto first = static_cast<std::ptrdiff_t>(beam * a_beam), end = first + static_cast<std::ptrdiff_t>(a_beam);
@@ -291,7 +291,7 @@ TEST_F(LiveTracerTest, AStepOfAScanLeavesTheOtherBeams) {
 
 TEST_F(LiveTracerTest, StepsThatComeAgainAddRays) {
   LiveTracer live = tracer(FrameContent::Powers, 4);
-  const render::Pose pose = bins_.pose();
+  const live::Pose pose = bins_.pose();
   EXPECT_EQ(live.scan(pose, 0, 8).report.rays_per_cell, 4U);
   EXPECT_EQ(live.scan(pose, 8, 8).report.rays_per_cell, 4U);
   EXPECT_EQ(live.scan(pose, 0, 8).report.rays_per_cell, 8U) << "another step in between";
@@ -346,12 +346,12 @@ TEST_F(LiveTracerTest, ScatterersStayWhileRaysAreAdded) {
 TEST_F(LiveTracerTest, APoseToAndFroKeepsItsScatterers) {
   const auto pose_at = [&](double times) {
     const auto bins = bins_.settings(FrameContent::Powers);
-    render::Pose pose = bins_.pose();
+    live::Pose pose = bins_.pose();
     pose.position = radar::position_seeing({}, pi, elevation_rad, times * slant_range_m);
     pose.first_range_m = times * slant_range_m - 0.5 * static_cast<double>(bins_.count) * bins.range_step_m;
     return pose;
   };
-  render::LiveSettings settings = bins_.settings(FrameContent::Powers);
+  live::LiveSettings settings = bins_.settings(FrameContent::Powers);
   settings.range_step_m *= 3.0;
   settings.beam_step_rad *= 2.0;
   const auto cells_at = [&](LiveTracer& live, double times) {
@@ -373,18 +373,18 @@ TEST_F(LiveTracerTest, APoseToAndFroKeepsItsScatterers) {
 }
 
 TEST_F(LiveTracerTest, TheErrorIsWhatTwoFramesDifferByAndFallsAsRaysAreAdded) {
-  render::LiveSettings settings = bins_.settings(FrameContent::Powers);
+  live::LiveSettings settings = bins_.settings(FrameContent::Powers);
   LiveTracer one = tracer(settings, 16);
   const double early_db = one.render(bins_.pose()).report.median_error_db;
   for (int call = 0; call < 14; ++call) one.render(bins_.pose());
-  const render::Frame& a = one.render(bins_.pose());
+  const live::Frame& a = one.render(bins_.pose());
   const auto relative = [](double db) { return std::pow(10.0, db / 10.0) - 1.0; };
   const double error = relative(a.report.median_error_db);
   EXPECT_NEAR(relative(early_db) / error, 4.0, 1.0);
 
   settings.seed = 2;
   LiveTracer other = tracer(settings, 256);
-  const render::Frame& b = other.render(bins_.pose());
+  const live::Frame& b = other.render(bins_.pose());
   std::vector<double> differences;
   for (std::size_t bin = 0; bin < settings.beams * settings.ranges; ++bin) {
     const double p = sum_of_bin(a.powers_m2, bin), q = sum_of_bin(b.powers_m2, bin);
@@ -403,7 +403,7 @@ TEST_F(LiveTracerTest, OnePassTellsNothingOfItsError) {
 
 TEST_F(LiveTracerTest, TargetsAnswerWhereTheSceneLetsThemBeSeen) {
   LiveTracer live = tracer(FrameContent::Powers, 2);
-  render::Pose pose = bins_.pose();
+  live::Pose pose = bins_.pose();
   const double bare = copolar_total(live.render(pose).powers_m2);
   LiveTracer other = tracer(FrameContent::Powers, 2);
   // North of a house, below its eaves: hidden from the south. And above its roof.
@@ -411,7 +411,7 @@ TEST_F(LiveTracerTest, TargetsAnswerWhereTheSceneLetsThemBeSeen) {
     const std::vector<radar::Target> targets{target_at({0.0, 3.5, height_m}, 1e4F)};
     pose.targets = targets;
     LiveTracer with = tracer(FrameContent::Powers, 2);
-    const render::Frame& frame = with.render(pose);
+    const live::Frame& frame = with.render(pose);
     const bool is_seen = height_m > 7.0;
     EXPECT_EQ(frame.report.targets, is_seen ? 1U : 0U);
     EXPECT_NEAR(copolar_total(frame.powers_m2) - bare, is_seen ? 2e4 : 0.0, 1.0);
@@ -423,11 +423,11 @@ TEST_F(LiveTracerTest, WhatStandsBehindTheBoxOfATargetIsDark) {
   const trace::SceneGeometry geometry(plane, trace::Footing::Terrain);
   for (const FrameContent content : {FrameContent::Powers, FrameContent::Amplitudes}) {
     LiveTracer live(plane, geometry, bins_.settings(content), {.rays_per_cell = 8});
-    render::Pose pose = bins_.pose();
+    live::Pose pose = bins_.pose();
     // 10 m long, wide and high: its shadow reaches 17 m north of its northern side.
     const std::vector<radar::Target> box{target_at({0.0, -5.0, 5.0}, 1e-6F, {10.0, 10.0, 10.0})};
     pose.targets = box;
-    const render::Frame& frame = live.render(pose);
+    const live::Frame& frame = live.render(pose);
     const auto power_of = [&](std::size_t beam, std::size_t range) {
       const std::size_t bin = beam * bins_.count + range;
       return content == FrameContent::Powers ? static_cast<double>(frame.powers_m2[4 * bin])
@@ -448,7 +448,7 @@ TEST_F(LiveTracerTest, WhatStandsBehindTheBoxOfATargetIsDark) {
 
 TEST_F(LiveTracerTest, BeginsAnewWhenSomethingElseIsToBeSeen) {
   LiveTracer live = tracer(FrameContent::Powers, 2);
-  render::Pose pose = bins_.pose();
+  live::Pose pose = bins_.pose();
   std::vector<radar::Target> targets{target_at({0.0, 0.0, 20.0}, 1.0F), target_at({0.0, 30.0, 2.0}, 1.0F, {4, 2, 2})};
   targets[0].track = radar::Track::straight({0.0, 0.0, 20.0}, {10.0, 0.0, 0.0});
   pose.targets = targets;
@@ -465,7 +465,7 @@ TEST_F(LiveTracerTest, BeginsAnewWhenSomethingElseIsToBeSeen) {
 }
 
 /// Middle of the power in range, by the radar's own reckoning of its bins.
-double mean_range_m(const render::Frame& frame) {
+double mean_range_m(const live::Frame& frame) {
   double power = 0.0, moment = 0.0;
   for (std::size_t bin = 0; bin < frame.powers_m2.size() / 4; ++bin) {
     const double range_m =
@@ -486,10 +486,10 @@ TEST_F(LiveTracerTest, RangesAreThoseOfACurvedEarth) {
   Bins bins{.count = 100, .bin_m = 2.0};
   const Vec2d middle{40.0, 24.0};
   for (const double refraction : {4.0 / 3.0, 1e9}) {
-    render::LiveSettings settings = bins.settings(FrameContent::Powers);
+    live::LiveSettings settings = bins.settings(FrameContent::Powers);
     settings.refraction = refraction;
     LiveTracer live(dark, geometry, settings, {.rays_per_cell = 8});
-    const render::Pose pose = bins.pose();
+    const live::Pose pose = bins.pose();
     const radar::CurvedEarth earth{.refraction = refraction};
     const double distance_m = std::hypot(middle.x - pose.position.x, middle.y - pose.position.y);
     EXPECT_NEAR(mean_range_m(live.render(pose)), earth.slant_range_m(pose.position.z, 0.0, distance_m), 0.1);
@@ -499,13 +499,13 @@ TEST_F(LiveTracerTest, RangesAreThoseOfACurvedEarth) {
 TEST_F(LiveTracerTest, AllRoundThereIsNoSeam) {
   scene::Scene plane = physics_test::level_scene(lambert("ground", 0.5), 256.0);
   const trace::SceneGeometry geometry(plane, trace::Footing::Terrain);
-  render::LiveSettings settings;
+  live::LiveSettings settings;
   settings.beams = 30;
   settings.ranges = 4;
   settings.beam_step_rad = 2.0 * pi / 30.0;
   settings.range_step_m = 2.0;
   settings.threads = 2;
-  render::Pose pose;
+  live::Pose pose;
   pose.position = {0.0, 0.0, 300.0};
   pose.first_azimuth_rad = 0.3;
   pose.first_range_m = 310.0;
@@ -515,7 +515,7 @@ TEST_F(LiveTracerTest, AllRoundThereIsNoSeam) {
     const std::uint64_t frames = content == FrameContent::Powers ? 1 : 60;
     for (settings.seed = 1; settings.seed <= frames; ++settings.seed) {
       LiveTracer live(plane, geometry, settings, {.rays_per_cell = 4, .lattice_m = 1.0});
-      const render::Frame& frame = live.render(pose);
+      const live::Frame& frame = live.render(pose);
       for (std::size_t bin = 0; bin < settings.beams * settings.ranges; ++bin) {
         of_beam[bin / settings.ranges] += content == FrameContent::Powers
                                               ? static_cast<double>(frame.powers_m2[4 * bin])
@@ -537,15 +537,15 @@ TEST(LiveTracerOverLevelGround, ABinHasItsPowerBeItTheFirstTheLastOrBetween) {
   constexpr double bin_m = 6.0, first_m = 10'003.0;
   // Of the bin that begins at `first_m`, in a frame of others before and beyond it.
   const auto power_with = [&](int before, int beyond) {
-    const render::LiveSettings settings{.content = FrameContent::Powers,
-                                        .beams = 10,
-                                        .ranges = static_cast<std::size_t>(before + 1 + beyond),
-                                        .beam_step_rad = 0.02,
-                                        .range_step_m = bin_m,
-                                        .threads = 2,
-                                        .refraction = 1e9};
+    const live::LiveSettings settings{.content = FrameContent::Powers,
+                                      .beams = 10,
+                                      .ranges = static_cast<std::size_t>(before + 1 + beyond),
+                                      .beam_step_rad = 0.02,
+                                      .range_step_m = bin_m,
+                                      .threads = 2,
+                                      .refraction = 1e9};
     LiveTracer tracer(scene, geometry, settings, {.rays_per_cell = 8, .max_bounces = 1, .lattice_m = 4.0});
-    const render::Frame& frame =
+    const live::Frame& frame =
         tracer.render({.position = {0.0, 0.0, 10e3}, .first_range_m = first_m - bin_m * static_cast<double>(before)});
     double sum = 0.0;
     for (std::size_t beam = 2; beam + 2 < settings.beams; ++beam)
@@ -573,9 +573,9 @@ TEST_F(LiveTracerTest, ASmallAreaIsChosenToBeTracedAndAWideOneIsNot) {
 
 TEST_F(LiveTracerTest, BinsBeyondTheSceneAreDark) {
   LiveTracer live = tracer(FrameContent::Amplitudes, 2);
-  render::Pose pose = bins_.pose();
+  live::Pose pose = bins_.pose();
   pose.first_range_m += 2000.0;
-  const render::Frame& frame = live.render(pose);
+  const live::Frame& frame = live.render(pose);
   EXPECT_EQ(frame.report.cells, 0U);
   EXPECT_TRUE(std::ranges::all_of(frame.amplitudes_m, [](auto a) { return a == std::complex<float>{}; }));
 }
@@ -586,15 +586,15 @@ TEST_F(LiveTracerTest, WhatCannotBeTracedIsRefused) {
   const trace::SceneGeometry on_a_plane(scene_, trace::Footing::LevelPlane);
   EXPECT_THROW(LiveTracer(scene_, on_a_plane, bins_.settings(FrameContent::Powers)), Error);
   LiveTracer live = tracer(FrameContent::Powers, 2);
-  render::Pose pose = bins_.pose();
+  live::Pose pose = bins_.pose();
   pose.position.z = 1.0;
   pose.first_range_m = -pose.position.y;
-  const render::Frame& frame = live.render(bins_.pose());
+  const live::Frame& frame = live.render(bins_.pose());
   const std::vector<float> before(frame.powers_m2.begin(), frame.powers_m2.end());
   EXPECT_THROW(live.render(pose), Error);
   EXPECT_EQ(frame.grid.first_range_m, bins_.pose().first_range_m);
   EXPECT_THAT(frame.powers_m2, testing::ElementsAreArray(before));
-  EXPECT_NO_THROW(render::check_holds(frame, "test"));
+  EXPECT_NO_THROW(live::check_holds(frame, "test"));
   EXPECT_GT(copolar_total(live.render(bins_.pose()).powers_m2), 0.0) << "a refused pose leaves a tracer that works";
 }
 
@@ -603,7 +603,7 @@ TEST_F(LiveTracerTest, SaysWhatItCanTraceAsItDoes) {
   EXPECT_TRUE(live.can_trace(bins_.pose()));
   EXPECT_NO_THROW(live.render(bins_.pose()));
   // From beside the scene, to either side of where rays begin.
-  render::Pose pose = bins_.pose();
+  live::Pose pose = bins_.pose();
   pose.first_range_m = 380.0;
   pose.position = {0.0, -400.0, geometry_.highest_m() + 3.0};
   EXPECT_TRUE(live.can_trace(pose));
@@ -618,7 +618,7 @@ TEST_F(LiveTracerTest, SaysWhatItCanTraceAsItDoes) {
   EXPECT_FALSE(few.can_trace(bins_.pose()));
   EXPECT_THROW(few.render(bins_.pose()), Error);
   // Bins that see nothing of the scene are dark from anywhere.
-  render::Pose away = bins_.pose();
+  live::Pose away = bins_.pose();
   away.position = {0.0, -80e3, 0.0};
   EXPECT_TRUE(live.can_trace(away));
   EXPECT_NO_THROW(live.render(away));
@@ -639,14 +639,14 @@ TEST_F(LiveTracerTest, AmplitudesTakeMemoryForCellsThatAnswer) {
   if (!memory_is_ours) GTEST_SKIP() << "measures memory";
   const scene::Scene scene = hill_scene();
   const trace::SceneGeometry geometry(scene, trace::Footing::Terrain);
-  render::LiveSettings settings;
+  live::LiveSettings settings;
   settings.beams = 1570;
   settings.ranges = 256;
   settings.beam_step_rad = 0.004;
   settings.range_step_m = 2.0;
   settings.threads = 1;
   LiveTracer live(scene, geometry, settings, {.rays_per_cell = 2, .lattice_m = 1.0});
-  render::Pose pose;
+  live::Pose pose;
   pose.position = {0.0, 0.0, 3000.0};
   pose.first_range_m = 2900.0;
   ASSERT_TRUE(live.can_trace(pose));
@@ -661,12 +661,12 @@ TEST_F(LiveTracerTest, AmplitudesTakeMemoryForCellsThatAnswer) {
 TEST_F(LiveTracerTest, WithSpeckleCellsBesideTheBeamsCount) {
   const scene::Scene plane = physics_test::level_scene(lambert("ground", 0.5), 256.0);
   const trace::SceneGeometry geometry(plane, trace::Footing::Terrain);
-  render::LiveSettings settings;
+  live::LiveSettings settings;
   settings.beams = 4;
   settings.ranges = 16;
   settings.beam_step_rad = 0.05;
   settings.range_step_m = 2.0;
-  render::Pose pose;
+  live::Pose pose;
   pose.position = {0.0, 0.0, 300.0};
   pose.first_range_m = 290.0;
   pose.first_azimuth_rad = -0.1;
@@ -698,7 +698,7 @@ TEST_F(LiveTracerTest, MoreBouncesThanAnEchoCountsAreRefused) {
 TEST_F(LiveTracerTest, AStepOfAScanCountsTheTargetsThatItsBeamsSee) {
   std::vector<radar::Target> targets(2);
   const double far_m = slant_range_m * std::cos(elevation_rad);
-  render::Pose pose = bins_.pose();
+  live::Pose pose = bins_.pose();
   for (std::size_t i = 0; i < targets.size(); ++i) {
     const double azimuth_rad =
         pose.first_azimuth_rad + (i == 0 ? 4.5 : 15.5) * bins_.settings(FrameContent::Powers).beam_step_rad;

@@ -5,7 +5,7 @@
 
 #include "physics/level_scene.h"
 #include "scratch_folder.h"
-#include "unit/render/live_ground_example.h"
+#include "unit/live/live_ground_example.h"
 
 #include "sigmascape/radar/coherent_plan.h"
 
@@ -69,9 +69,9 @@ TEST(MapQuestion, KnowsTheSceneAndItsTerrain) {
 TEST(MapQuestion, KnowsWhatTheAtlasHas) {
   for (const bool apart : {false, true}) {
     const ScratchFolder folder;
-    render::ExampleGround example;
+    live::ExampleGround example;
     example.patches_a_side = 1;
-    example.sigma0 = [](const radar::Look& look) { return render::constant_gamma(0.1, look); };
+    example.sigma0 = [](const radar::Look& look) { return live::constant_gamma(0.1, look); };
     if (apart) example.bare_sigma0 = example.sigma0;
     const atlas::Store store = example.store(folder.path("atlas"));
     const render::DetailQuestion question = map_question(house(), radar_of(radar::Mode::RealBeam), asked_grid, &store);

@@ -59,7 +59,7 @@ TEST(TerrainPyramid, LevelZeroIsTheFieldItself) {
   EXPECT_EQ(pyramid.layout().tiles_down, 3U);
   EXPECT_EQ(pyramid.levels(), 4);
   TerrainWindow window(1500);
-  const auto report = window.fill(pyramid, field.extent(), 0, TileWait::Load);
+  const auto report = window.fill(pyramid, field.extent(), 0);
   EXPECT_EQ(report.level, 0);
   EXPECT_EQ(report.tiles, 15U);
   const HeightField seen = surface_of(window.view());
@@ -135,7 +135,7 @@ TEST(TerrainWindow, LevelsMeetWithoutCracks) {
   };
   TerrainPyramid pyramid(layout, whole.extent(), summaries_of(whole), read, 100 * HeightTile::bytes);
   TerrainWindow window(1500);
-  EXPECT_EQ(window.fill(pyramid, layout.extent(), 0, TileWait::Load).lacking.size(), 8U);
+  EXPECT_EQ(window.fill(pyramid, layout.extent(), 0).lacking.size(), 8U);
   // One lattice of nodes, bilinear between them: a node on an edge has the height of one of the two sides.
   const TerrainView view = window.view();
   std::size_t edges = 0;
@@ -161,7 +161,7 @@ TEST(TerrainWindow, LevelsMeetWithoutCracks) {
 TEST(TerrainWindow, TakesTheFinestLevelThatFits) {
   TerrainPyramid pyramid = pyramid_in_memory(rough());
   TerrainWindow window(300);
-  const auto report = window.fill(pyramid, {-1000.0, -1400.0, 4400.0, 2000.0}, 0, TileWait::Load);
+  const auto report = window.fill(pyramid, {-1000.0, -1400.0, 4400.0, 2000.0}, 0);
   EXPECT_EQ(report.level, 2);
   EXPECT_LE(window.view().columns, 300U);
 }
@@ -175,7 +175,7 @@ TEST(TerrainWindow, SlopesAreThoseOfThePlane) {
   }
   TerrainPyramid pyramid = pyramid_in_memory(plane);
   TerrainWindow window(500);
-  window.fill(pyramid, {0.0, 0.0, 2000.0, 1000.0}, 1, TileWait::Load);
+  window.fill(pyramid, {0.0, 0.0, 2000.0, 1000.0}, 1);
   const TerrainView view = window.view();
   const PackedSlope slope = view.slope[40 * view.columns + 50];
   EXPECT_NEAR(slope.east / PackedSlope::steps_per_unit, 0.1F, 1e-3F);
@@ -187,7 +187,7 @@ TEST(TerrainWindow, SlopesOfHillsChangeEvenlyBetweenNodes) {
   TerrainPyramid pyramid = pyramid_in_memory(hills.field(600, 500));
   for (const int level : {1, 2}) {
     TerrainWindow window(500);
-    window.fill(pyramid, {-500.0, 0.0, 1500.0, 1500.0}, level, TileWait::Load);
+    window.fill(pyramid, {-500.0, 0.0, 1500.0, 1500.0}, level);
     const TerrainView view = window.view();
     ASSERT_EQ(view.spacing_m, 5.0 * (1 << level));
     double worst = 0.0;
@@ -255,7 +255,7 @@ TEST_F(PyramidOnDisk, KeepsWithinItsBudget) {
   TerrainPyramid pyramid = open_pyramid(folder_.path("pyramid"), budget);
   TerrainWindow window(1500);
   for (int level = 3; level >= 0; --level) {
-    window.fill(pyramid, area_, level, TileWait::Load);
+    window.fill(pyramid, area_, level);
     EXPECT_LE(pyramid.resident_bytes(), budget);
   }
   EXPECT_NE(pyramid.resident({3, 0, 0}), nullptr) << "the last level is never forgotten";
@@ -265,7 +265,7 @@ TEST_F(PyramidOnDisk, AMissingTileGivesItsParentAndAReport) {
   std::filesystem::remove(tile("level_0/1_1.tif"));
   TerrainPyramid pyramid = open_pyramid(folder_.path("pyramid"), 100 * HeightTile::bytes);
   TerrainWindow window(1500);
-  const auto report = window.fill(pyramid, area_, 0, TileWait::Load);
+  const auto report = window.fill(pyramid, area_, 0);
   ASSERT_EQ(report.lacking, (std::vector<TileKey>{{0, 1, 1}}));
   EXPECT_EQ(report.error_m, pyramid.summary({1, 0, 0}).error_m);
   ASSERT_EQ(pyramid.faults().size(), 1U);
@@ -329,21 +329,11 @@ TEST_F(PyramidOnDisk, TruncatedAndAlteredTilesAreNotTaken) {
   }
   TerrainPyramid pyramid = open_pyramid(folder_.path("pyramid"), 100 * HeightTile::bytes);
   TerrainWindow window(1500);
-  const auto report = window.fill(pyramid, area_, 0, TileWait::Load);
+  const auto report = window.fill(pyramid, area_, 0);
   EXPECT_THAT(report.lacking, ::testing::UnorderedElementsAre(TileKey{0, 0, 0}, TileKey{0, 2, 0}, TileKey{0, 3, 1}));
   EXPECT_EQ(pyramid.faults().size(), report.lacking.size());
   EXPECT_THAT(report.standing_in,
               ::testing::UnorderedElementsAre(TileKey{1, 0, 0}, TileKey{1, 1, 0}, TileKey{1, 1, 0}));
-}
-
-TEST_F(PyramidOnDisk, WithoutWaitingTheCoarsestStandsIn) {
-  TerrainPyramid pyramid = open_pyramid(folder_.path("pyramid"), 100 * HeightTile::bytes);
-  TerrainWindow window(1500);
-  const auto first = window.fill(pyramid, area_, 0, TileWait::ResidentOnly);
-  EXPECT_EQ(first.lacking.size(), first.tiles);
-  EXPECT_GT(surface_of(window.view()).height_at({0.0, 0.0}), 50.0);
-  for (const TileKey& key : first.lacking) EXPECT_NE(pyramid.load(key), nullptr);
-  EXPECT_TRUE(window.fill(pyramid, area_, 0, TileWait::ResidentOnly).lacking.empty());
 }
 
 TEST_F(PyramidOnDisk, IsNotBuiltTwiceNorTakenForAnother) {
@@ -668,7 +658,7 @@ TEST(PyramidFromRaster, ReadsATileAtATime) {
   TerrainPyramid pyramid = open_pyramid(folder.path("pyramid"), 100 * HeightTile::bytes);
   EXPECT_GE(pyramid.levels(), 2);
   TerrainWindow window(600);
-  window.fill(pyramid, extent, 0, TileWait::Load);
+  window.fill(pyramid, extent, 0);
   const HeightField surface = surface_of(window.view());
   const Vec2d middle = extent.centre();
   for (const Vec2d p : {middle, middle + Vec2d{200.0, -100.0}, middle + Vec2d{-321.0, 222.0}}) {
