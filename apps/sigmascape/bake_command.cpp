@@ -1,10 +1,8 @@
 #include <array>
 #include <filesystem>
 #include <fmt/format.h>
-#include <optional>
 #include <string>
 #include <system_error>
-#include <vector>
 
 #include "bake_options.h"
 #include "command.h"

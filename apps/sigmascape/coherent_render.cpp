@@ -7,6 +7,7 @@
 
 #include "sigmascape/product/iq_file.h"
 #include "sigmascape/product/slant_projection.h"
+#include "sigmascape/radar/mode_words.h"
 #include "sigmascape/simulate/mode_image.h"
 
 namespace sigmascape::cli {
@@ -53,7 +54,7 @@ CoherentMap coherent_map(const CoherentRequest& request) {
   made.seconds = watch.seconds();
   made.provenance = simulate::provenance_of(wanted, plan);
   if (!request.slant_file.empty()) write_slant_image(request, wanted, plan);
-  made.cost = {{"mode", simulate::word_for(request.radar.mode)},
+  made.cost = {{"mode", radar::mode_word(request.radar.mode)},
                {"interval_s", plan.interval_s},
                {"looks", plan.looks},
                {"along_resolution_m", plan.along_resolution_m}};

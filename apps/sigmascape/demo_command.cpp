@@ -26,7 +26,6 @@
 #include "sigmascape/scene/paper_scene.h"
 #include "sigmascape/scene/scene_file.h"
 #include "sigmascape/simulate/map_warnings.h"
-#include "sigmascape/simulate/mode_image.h"
 #include "sigmascape/simulate/placement.h"
 #include "sigmascape/simulate/simulate.h"
 
@@ -212,7 +211,7 @@ class Demo {
 
 std::vector<View> views_of(const DemoOptions& options) {
   if (!options.radar.empty()) {
-    simulate::require_real_beam(options.radar, "the demo compares real-beam maps");
+    radar::require_real_beam(options.radar, "the demo compares real-beam maps");
     const auto file = radar::read_radar_file(options.radar);
     return {{"view", file.radar.name, file}};
   }

@@ -1,7 +1,6 @@
 #include "iq_files.h"
 
 #include <algorithm>
-#include <array>
 #include <fmt/format.h>
 
 #include "number_within.h"
@@ -52,17 +51,6 @@ simulate::CoherentSettings settings_of(const IqFiles& files, const IqRequest& re
           .moment_s = request.moment_s,
           .calibrated = files.unit == "V",
           .threads = request.threads};
-}
-
-/// What whoever records this should know.
-void warn_of_recording(const IqFiles& files, const IqRequest& request, const simulate::CoherentSettings& settings) {
-  const terrain::HeightField& terrain = request.scene.terrain;
-  warn_of(request.radar, simulate::interval_warnings(files.interval_s, request.radar, request.area, terrain));
-  warn_of(request.radar,
-          simulate::recording_warnings(request.radar, request.area, terrain, settings.calibrated, request.targets));
-  if (!settings.calibrated) return;
-  if (const auto missed = simulate::scan_beside(request.radar, request.area, settings.interval_s, settings.moment_s))
-    warn_of(request.radar, std::array{*missed});
 }
 
 RecordedPulses told(const radar::PhaseHistory& history, double pulse_repetition_hz, double seconds) {
@@ -122,7 +110,8 @@ void check(const IqFiles& files, const IqRequest& request) {
   const std::size_t samples = simulate::check_recording(request.radar, request.area, request.scene.terrain, settings);
   constexpr std::size_t polarizations = 3;
   product::check_iq_size(files.file, samples * polarizations, machine_memory_bytes());
-  warn_of_recording(files, request, settings);
+  warn_of(request.radar, simulate::pulse_warnings(request.radar, request.area, request.scene.terrain, request.targets,
+                                                  files.interval_s, settings));
 }
 
 std::optional<RecordedPulses> write_iq_files(const IqFiles& files, const IqRequest& request) {

@@ -10,9 +10,9 @@
 #include "sigmascape/product/layer_file.h"
 #include "sigmascape/product/map_metrics.h"
 #include "sigmascape/product/reprojection.h"
+#include "sigmascape/radar/mode_words.h"
 #include "sigmascape/scene/obstacle_raster.h"
 #include "sigmascape/simulate/layers.h"
-#include "sigmascape/simulate/mode_image.h"
 
 namespace sigmascape::cli {
 namespace {
@@ -90,7 +90,7 @@ void check(const LayerFiles& files, int level_of_detail, radar::Mode mode) {
   if (mode != radar::Mode::RealBeam) {
     throw Error(where,
                 fmt::format("is not in an atlas, where all bounces are one sum, and {} has no other source",
-                            simulate::word_for(mode)),
+                            radar::mode_word(mode)),
                 "leave it out, take the [mode] out of the radar file, or trace it by Python's sigmascape.layers");
   }
   if (level_of_detail > 0) throw Error(where, "is not in an atlas, where all bounces are one sum", "use --lod 0");

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <charconv>
-#include <cstdint>
 #include <fmt/format.h>
 #include <string>
 #include <system_error>

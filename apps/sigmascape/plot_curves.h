@@ -2,8 +2,6 @@
 
 #include <cstddef>
 #include <span>
-#include <string>
-#include <vector>
 
 #include "sigmascape/atlas/atlas.h"
 #include "sigmascape/product/plot.h"

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <limits>
-#include <map>
 #include <optional>
 #include <span>
 
@@ -37,6 +36,7 @@
 #include "sigmascape/product/map_file.h"
 #include "sigmascape/product/png_file.h"
 #include "sigmascape/product/reprojection.h"
+#include "sigmascape/radar/mode_words.h"
 #include "sigmascape/radar/radar_bounds.h"
 #include "sigmascape/radar/radar_file.h"
 #include "sigmascape/radar/radar_warnings.h"
@@ -49,7 +49,6 @@
 #include "sigmascape/simulate/map_provenance.h"
 #include "sigmascape/simulate/map_question.h"
 #include "sigmascape/simulate/map_warnings.h"
-#include "sigmascape/simulate/mode_image.h"
 #include "sigmascape/simulate/part_seen.h"
 #include "sigmascape/simulate/placement.h"
 #include "sigmascape/simulate/simulate.h"
@@ -224,16 +223,16 @@ void check_coherent(const RenderOptions& options, const radar::Radar& radar) {
   }
   if (options.level_of_detail == 0 && !asks_for_advice_alone(options)) {
     throw Error(
-        "--lod", fmt::format("0 traces power alone, and {} needs amplitudes", simulate::word_for(radar.mode)),
+        "--lod", fmt::format("0 traces power alone, and {} needs amplitudes", radar::mode_word(radar.mode)),
         "bake the scene and give --lod 1 and --atlas, or take the [mode] out of the radar file for a real beam");
   }
   if (!options.power_file.empty()) {
-    throw Error("--power", fmt::format("is of single pulses, and {} works on many", simulate::word_for(radar.mode)),
+    throw Error("--power", fmt::format("is of single pulses, and {} works on many", radar::mode_word(radar.mode)),
                 "take --out for sigma0, or take the [mode] out of the radar file for a real beam");
   }
   const auto refuse = [&](const char* option, const std::string& file) {
     if (file.empty()) return;
-    throw Error(option, fmt::format("is of range and azimuth, which {} does not have", simulate::word_for(radar.mode)),
+    throw Error(option, fmt::format("is of range and azimuth, which {} does not have", radar::mode_word(radar.mode)),
                 "leave it out, or take the [mode] out of the radar file for a real beam");
   };
   refuse("--snr", options.received.snr);

@@ -68,16 +68,6 @@ template <typename Signal>
 using Maker = Signal (*)(const simulate::CoherentScene&, const radar::Radar&, const radar::Rectangle&,
                          const simulate::CoherentSettings&);
 
-void warn_of_recording(const radar::Radar& radar, const radar::Rectangle& area, const terrain::HeightField& terrain,
-                       std::span<const radar::Target> targets, std::optional<double> asked_s,
-                       const simulate::CoherentSettings& settings) {
-  warn_of(radar, simulate::interval_warnings(asked_s, radar, area, terrain));
-  warn_of(radar, simulate::recording_warnings(radar, area, terrain, settings.calibrated, targets));
-  if (!settings.calibrated) return;
-  if (const auto missed = simulate::scan_beside(radar, area, settings.interval_s, settings.moment_s))
-    warn_of(radar, std::array{*missed});
-}
-
 /// What is made of an atlas alone knows no leaves.
 constexpr const char* still_leaves =
     "has wind, which moves leaves of a scene, and these are of an atlas alone: their leaves hang still; record them "
@@ -104,7 +94,7 @@ Described<Signal> made(Maker<Signal> make, const Plan& plan_of, const LoadedAtla
         simulate::all_targets(nullptr, given, description.frame, atlas.terrain(), settings.seed, time_s);
     if constexpr (!has_cells) {
       settings.interval_s = simulate::recording_interval_s(recorded_s, radar, area, atlas.terrain());
-      warn_of_recording(radar, area, atlas.terrain(), targets, recorded_s, settings);
+      warn_of(radar, simulate::pulse_warnings(radar, area, atlas.terrain(), targets, recorded_s, settings));
     }
     const Vec2d centre = area.centre();
     const Vec3d aim{centre.x, centre.y, atlas.terrain().height_at(centre)};

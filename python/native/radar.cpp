@@ -1,5 +1,6 @@
 #include <cmath>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
@@ -9,6 +10,7 @@
 #include "polarization.h"
 
 #include "sigmascape/base/units.h"
+#include "sigmascape/radar/mode_words.h"
 #include "sigmascape/radar/radar_bounds.h"
 #include "sigmascape/radar/radar_file.h"
 #include "sigmascape/simulate/placement.h"
@@ -30,27 +32,13 @@ Vec3d vec_of(const Triple& v) {
   return {v[0], v[1], v[2]};
 }
 
-const std::map<std::string, radar::Mode>& mode_words() {
-  static const std::map<std::string, radar::Mode> words{{"real-beam", radar::Mode::RealBeam},
-                                                        {"doppler-beam-sharpening", radar::Mode::DopplerBeamSharpening},
-                                                        {"stripmap", radar::Mode::Stripmap},
-                                                        {"spotlight", radar::Mode::Spotlight}};
-  return words;
-}
-
-std::string mode_word(const RadarFile& file) {
-  for (const auto& [word, mode] : mode_words()) {
-    if (mode == file.radar.mode) return word;
-  }
-  return "";
-}
-
 void set_mode(RadarFile& file, const std::string& word) {
-  const auto found = mode_words().find(word);
-  if (found == mode_words().end()) {
-    throw Error("mode", "is '" + word + "'", "give 'real-beam', 'doppler-beam-sharpening', 'stripmap' or 'spotlight'");
+  const auto mode = radar::mode_of(word);
+  if (!mode) {
+    const auto words = radar::words_of_modes();
+    throw Error("mode", "is '" + word + "'", fmt::format("give '{}'", fmt::join(words, "', '")));
   }
-  file.radar.mode = found->second;
+  file.radar.mode = *mode;
 }
 
 constexpr double furthest_m = 1e7, fastest_mps = 2e4, hz_per_ghz = 1e9;
@@ -314,7 +302,9 @@ void add_radar(py::module_& module) {
           },
           "East, north, up: by true north at the radar while its file's latitude and longitude place it, else in the\n"
           "local frame.")
-      .def_property("mode", &mode_word, &set_mode, "'real-beam', 'doppler-beam-sharpening', 'stripmap' or 'spotlight'.")
+      .def_property(
+          "mode", [](const RadarFile& f) { return radar::mode_word(f.radar.mode); }, &set_mode,
+          "'real-beam', 'doppler-beam-sharpening', 'stripmap' or 'spotlight'.")
       .def_property(
           "pulse_repetition_hz", [](const RadarFile& f) { return f.radar.waveform.pulse_repetition_hz; },
           [](RadarFile& f, double value) {

@@ -16,6 +16,7 @@
 #include "sigmascape/product/described_map.h"
 #include "sigmascape/product/ground_projection.h"
 #include "sigmascape/product/slant_projection.h"
+#include "sigmascape/radar/mode_words.h"
 #include "sigmascape/radar/radar_bounds.h"
 #include "sigmascape/radar/radar_file.h"
 #include "sigmascape/radar/radar_title.h"
@@ -92,8 +93,7 @@ Seen traced(const LoadedScene* scene, const Wish& wish, const simulate::TraceSet
             ProgressListener& progress) {
   if (scene == nullptr) throw Error("scene", "is None at level of detail 0", "give the Scene that is to be traced");
   if (wish.radar.mode != radar::Mode::RealBeam) {
-    throw Error("lod",
-                fmt::format("0 traces power alone, and {} needs amplitudes", simulate::word_for(wish.radar.mode)),
+    throw Error("lod", fmt::format("0 traces power alone, and {} needs amplitudes", radar::mode_word(wish.radar.mode)),
                 "give the atlas that bake() made, or set the radar's mode to 'real-beam'");
   }
   auto provenance = simulate::provenance_of_traced(settings, scene->scene());
@@ -213,7 +213,7 @@ radar::PowerMap received(const std::shared_ptr<LoadedScene>& scene, const radar:
   if (radar.radar.mode != radar::Mode::RealBeam) {
     throw Error("radar.mode",
                 fmt::format("is {}, which works on many pulses, and received power is of single ones",
-                            simulate::word_for(radar.radar.mode)),
+                            radar::mode_word(radar.radar.mode)),
                 "call render() for sigma0, or set the mode to 'real-beam'");
   }
   return mapped(scene, radar, atlas, {lod, targets, samples, bounces, seed, time_s, dwell, threads}, progress,

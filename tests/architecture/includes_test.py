@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Holds that every file of src and apps includes what it takes from the headers that the build precompiles.
+"""Holds that every file of src and apps includes what it takes from the headers that the build precompiles, and none of them else.
 
 The compiler has read those headers before it reads the file and can't tell; who links the library, or builds without precompiled
 headers, would be the first to know. What a file includes through headers of the project counts, what standard headers happen to
@@ -33,6 +33,26 @@ NAMES = {
     "string": r"std::(string\b(?!_view)|to_string)",
     "string_view": r"std::string_view",
     "vector": r"std::vector<",
+}
+
+
+# What else a header may be included for.
+ALSO = {
+    "algorithm": r"std::ranges::\w+\(|std::(remove|search|swap_ranges|merge|mismatch|generate(_n)?|iter_swap|next_permutation|is_permutation"
+                 r"|inplace_merge|includes|set_\w+|adjacent_find|push_heap|pop_heap|make_heap|sort_heap|shift_left|move_backward)\(",
+    "array": r"std::(array\b|tuple_size)",
+    "cmath": r"std::(abs|fabs|fmin|fmax|modf|frexp|ilogb|logb|nan|nextafter|fpclassify)\b|INFINITY|\bNAN\b|M_PI",
+    "complex": r"std::(norm|abs|imag|real)\(|_i\b",
+    "cstdint": r"\bu?int(8|16|32|64|ptr|max)_t\b|std::u?int(ptr|max)_t|SIZE_MAX",
+    "functional": r"std::(bit_\w+|equal_to|identity|less|greater|reference_wrapper|minus|multiplies|plus|not_fn|cref)\b",
+    "map": r"std::(multi)?map\b",
+    "memory": r"std::(allocator|weak_ptr|default_delete|enable_shared|addressof|(static|dynamic)_pointer_cast|assume_aligned|destroy)|std::(unique|shared)_ptr",
+    "optional": r"std::(make_)?optional",
+    "span": r"std::span",
+    "string": r"std::(getline|sto[a-z]+|char_traits|operator\"\"s)|\"\"s\b",
+    "vector": r"std::vector|std::erase",
+    "fmt/format.h": r"fmt::\w+",
+    "fmt/ranges.h": r"fmt::\w+",
 }
 
 
@@ -70,6 +90,9 @@ def faults(root):
             use = re.search(NAMES[header], code)
             if use and header not in has:
                 yield f"{path.relative_to(root)}: {use.group(0)} without #include <{header}>"
+            takes = use or re.search(ALSO.get(header, "(?!)"), code)
+            if not takes and re.search(rf"^#include <{re.escape(header)}>", path.read_text(), re.MULTILINE):
+                yield f"{path.relative_to(root)}: takes nothing of #include <{header}>"
 
 
 if __name__ == "__main__":

@@ -5,7 +5,6 @@
 #include <fstream>
 #include <limits>
 #include <optional>
-#include <string_view>
 #include <utility>
 
 #include "number_or_null.h"

@@ -4,7 +4,6 @@
 #include <array>
 #include <bit>
 #include <cmath>
-#include <fmt/format.h>
 
 #include "sigmascape/atlas/ground_layers.h"
 #include "sigmascape/atlas/half_texture.h"

@@ -2,7 +2,6 @@
 
 #include <cstddef>
 #include <memory>
-#include <vector>
 
 #include "sigmascape/atlas/aspect_grid.h"
 #include "sigmascape/atlas/patch_grid.h"

@@ -1,6 +1,5 @@
 #include "sigmascape/atlas/atlas_summary.h"
 
-#include <algorithm>
 #include <filesystem>
 #include <system_error>
 #include <utility>

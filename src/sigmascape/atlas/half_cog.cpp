@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <fmt/format.h>
 #include <memory>
-#include <string>
 #include <tiffio.h>
 
 #include "sigmascape/atlas/half_texture.h"

@@ -1,7 +1,6 @@
 #include "sigmascape/atlas/levels_above.h"
 
 #include <algorithm>
-#include <filesystem>
 #include <iterator>
 #include <string_view>
 #include <utility>

@@ -3,7 +3,6 @@
 #include <bit>
 #include <cmath>
 #include <fmt/format.h>
-#include <string>
 
 #include "sigmascape/base/error.h"
 

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <set>
-#include <string_view>
 #include <utility>
 
 #include "sigmascape/atlas/error_texture.h"

@@ -1,7 +1,6 @@
 #include "sigmascape/atlas/verify.h"
 
 #include <algorithm>
-#include <filesystem>
 #include <iterator>
 #include <optional>
 #include <string_view>

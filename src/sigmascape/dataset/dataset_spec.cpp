@@ -12,8 +12,8 @@
 #include "sigmascape/base/units.h"
 #include "sigmascape/dataset/bounce_labels.h"
 #include "sigmascape/radar/radar_bounds.h"
+#include "sigmascape/radar/radar_file.h"
 #include "sigmascape/scene/partner_key.h"
-#include "sigmascape/simulate/mode_image.h"
 
 namespace sigmascape::dataset {
 namespace {
@@ -321,7 +321,7 @@ std::filesystem::path toml_file(const TomlSection& section, std::string_view key
 }
 
 void read_radar(const std::filesystem::path& path, DatasetSpec& spec) {
-  simulate::require_real_beam(path, "datasets are made of real-beam maps");
+  radar::require_real_beam(path, "datasets are made of real-beam maps");
   spec.radar = radar::read_radar_file(path, radar::PlaceOfRadar::Optional);
   spec.radar_hash = radar_hash(path);
   check_earth(path, spec.radar.radar);

@@ -1,6 +1,5 @@
 #include "sigmascape/live/live_ground.h"
 
-#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <limits>

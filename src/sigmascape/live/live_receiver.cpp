@@ -1,7 +1,6 @@
 #include "sigmascape/live/live_receiver.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <utility>
 

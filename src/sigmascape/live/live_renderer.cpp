@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 #include <functional>
 #include <limits>
-#include <string>
 
 #include "sigmascape/base/error.h"
 #include "sigmascape/base/units.h"

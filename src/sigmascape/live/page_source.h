@@ -4,7 +4,6 @@
 #include <functional>
 #include <optional>
 #include <span>
-#include <vector>
 
 #include "sigmascape/atlas/aspect_cell.h"
 #include "sigmascape/atlas/tile_reader.h"

@@ -1,7 +1,6 @@
 #include "sigmascape/live/terrain_raster.h"
 
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <cmath>
 #include <limits>

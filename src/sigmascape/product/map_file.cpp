@@ -1,6 +1,5 @@
 #include "sigmascape/product/map_file.h"
 
-#include <algorithm>
 #include <array>
 #include <nlohmann/json.hpp>
 #include <span>

@@ -1,6 +1,5 @@
 #include "sigmascape/product/zip_bytes.h"
 
-#include <cstdint>
 #include <zlib.h>
 
 #include "sigmascape/base/error.h"

@@ -9,6 +9,7 @@
 #include "sigmascape/base/toml_reader.h"
 #include "sigmascape/base/units.h"
 #include "sigmascape/radar/advised_number.h"
+#include "sigmascape/radar/mode_words.h"
 #include "sigmascape/radar/polarization_words.h"
 #include "sigmascape/radar/radar_bounds.h"
 #include "sigmascape/radar/radar_file_sections.h"
@@ -279,6 +280,15 @@ void set_frequency(RadarFile& file, double frequency_hz) {
         fmt::format("give more than {:.6g}, or first a coarser range_resolution_m", bandwidth_hz / 2.0));
   }
   file.radar.frequency_hz = frequency_hz;
+}
+
+void require_real_beam(const std::filesystem::path& radar_file, std::string_view what_serves) {
+  const auto section = TomlSection::read_file(radar_file).section("mode");
+  if (!section) return;
+  const Mode mode = mode_asked(*section);
+  if (mode == Mode::RealBeam) return;
+  throw section->fault("kind", fmt::format("is {}, and {}", mode_word(mode), what_serves),
+                       "take the [mode] out of the radar file, or name another radar file");
 }
 
 }  // namespace sigmascape::radar

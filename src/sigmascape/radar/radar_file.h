@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <variant>
 
 #include "sigmascape/radar/ground_grid.h"
@@ -99,5 +100,9 @@ enum class PlaceOfRadar { Required, Optional };
 /// The same of the text of such a file. Errors call it by its name, in whose folder the files that it names lie.
 [[nodiscard]] RadarFile read_radar_text(const std::string& text, const std::filesystem::path& name,
                                         PlaceOfRadar need = PlaceOfRadar::Required);
+
+/// Throws Error when a radar file's mode is another than a real beam, which is all that serves: "datasets are made of
+/// real-beam maps". For asking before the file is read as a whole, which has demands of its own on other modes.
+void require_real_beam(const std::filesystem::path& radar_file, std::string_view what_serves);
 
 }  // namespace sigmascape::radar

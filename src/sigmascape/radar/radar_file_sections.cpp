@@ -6,10 +6,13 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <initializer_list>
+#include <string>
+#include <string_view>
 #include <utility>
 
 #include "sigmascape/base/units.h"
 #include "sigmascape/radar/advised_number.h"
+#include "sigmascape/radar/mode_words.h"
 #include "sigmascape/radar/pattern_table.h"
 #include "sigmascape/radar/radar_bounds.h"
 #include "sigmascape/radar/range_ambiguity.h"
@@ -120,34 +123,36 @@ std::optional<double> metres_of_km(const TomlSection& section, std::string_view 
 
 struct KeyOfModes {
   std::string_view key;
-  std::initializer_list<std::string_view> kinds;
+  std::initializer_list<Mode> modes;
 };
 const std::array<KeyOfModes, 7> processing_keys{{
-    {"interval_s", {"doppler-beam-sharpening", "spotlight"}},
-    {"along_resolution_m", {"stripmap", "spotlight"}},
-    {"sharpening", {"doppler-beam-sharpening"}},
-    {"looks", {"doppler-beam-sharpening", "stripmap", "spotlight"}},
-    {"ambiguities", {"stripmap"}},
-    {"antenna_pattern", {"doppler-beam-sharpening", "stripmap", "spotlight"}},
-    {"thermal_noise", {"doppler-beam-sharpening", "stripmap", "spotlight"}},
+    {"interval_s", {Mode::DopplerBeamSharpening, Mode::Spotlight}},
+    {"along_resolution_m", {Mode::Stripmap, Mode::Spotlight}},
+    {"sharpening", {Mode::DopplerBeamSharpening}},
+    {"looks", {Mode::DopplerBeamSharpening, Mode::Stripmap, Mode::Spotlight}},
+    {"ambiguities", {Mode::Stripmap}},
+    {"antenna_pattern", {Mode::DopplerBeamSharpening, Mode::Stripmap, Mode::Spotlight}},
+    {"thermal_noise", {Mode::DopplerBeamSharpening, Mode::Stripmap, Mode::Spotlight}},
 }};
 
 /// Keys that are right in another mode and would do nothing in this.
-void refuse_idle_keys(const TomlSection& section, std::string_view kind) {
-  for (const auto& [key, kinds] : processing_keys) {
-    if (section.has(key) && std::ranges::find(kinds, kind) == kinds.end()) {
-      throw section.fault(key, fmt::format("means nothing in a {} mode", kind),
-                          fmt::format("leave it out, or use it with {}", fmt::join(kinds, " or ")));
+void refuse_idle_keys(const TomlSection& section, Mode mode) {
+  for (const auto& [key, modes] : processing_keys) {
+    if (section.has(key) && std::ranges::find(modes, mode) == modes.end()) {
+      std::vector<std::string_view> words(modes.size());
+      std::ranges::transform(modes, words.begin(), &mode_word);
+      throw section.fault(key, fmt::format("means nothing in a {} mode", mode_word(mode)),
+                          fmt::format("leave it out, or use it with {}", fmt::join(words, " or ")));
     }
   }
 }
 
-void read_processing(const TomlSection& section, const std::string& kind, Radar& radar) {
+void read_processing(const TomlSection& section, Radar& radar) {
   if (!(length(radar.velocity_mps) > 0.0)) {
-    throw section.fault("kind", fmt::format("is {}, and the platform stands still", kind),
+    throw section.fault("kind", fmt::format("is {}, and the platform stands still", mode_word(radar.mode)),
                         "give platform.speed_mps: these modes live from motion");
   }
-  refuse_idle_keys(section, kind);
+  refuse_idle_keys(section, radar.mode);
   Processing& processing = radar.processing;
   processing.interval_s = section.optional_number("interval_s", bounds::intervals_s);
   processing.along_resolution_m = section.optional_number("along_resolution_m", bounds::along_resolutions_m);
@@ -302,15 +307,14 @@ void read_scan(const TomlSection& section, Radar& radar) {
   section.refuse_unknown_keys();
 }
 
+Mode mode_asked(const TomlSection& section) {
+  return *mode_of(section.choice_or("kind", words_of_modes(), std::string(mode_words.front().first)));
+}
+
 void read_mode(const TomlSection& section, Radar& radar) {
-  const std::string kind =
-      section.choice_or("kind", {"real-beam", "doppler-beam-sharpening", "stripmap", "spotlight"}, "real-beam");
-  radar.mode = kind == "real-beam"                 ? Mode::RealBeam
-               : kind == "doppler-beam-sharpening" ? Mode::DopplerBeamSharpening
-               : kind == "stripmap"                ? Mode::Stripmap
-                                                   : Mode::Spotlight;
-  if (radar.mode != Mode::RealBeam) read_processing(section, kind, radar);
-  refuse_idle_keys(section, kind);
+  radar.mode = mode_asked(section);
+  if (radar.mode != Mode::RealBeam) read_processing(section, radar);
+  refuse_idle_keys(section, radar.mode);
   section.refuse_unknown_keys();
 }
 

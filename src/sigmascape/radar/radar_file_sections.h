@@ -17,6 +17,8 @@ void read_platform(const TomlSection& section, Radar& radar);
 void read_waveform(const TomlSection& section, Radar& radar);
 void read_receiver(const TomlSection& section, Radar& radar);
 void read_scan(const TomlSection& section, Radar& radar);
+/// The kind of a [mode], a real beam where it says none.
+[[nodiscard]] Mode mode_asked(const TomlSection& section);
 /// [mode]; after the platform, whose motion some modes need.
 void read_mode(const TomlSection& section, Radar& radar);
 

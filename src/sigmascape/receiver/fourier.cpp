@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <functional>
 #include <kissfft/kiss_fft.h>
+#include <vector>
 
 #include "sigmascape/base/units.h"
 

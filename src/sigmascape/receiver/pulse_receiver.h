@@ -1,7 +1,6 @@
 #pragma once
 
 #include <span>
-#include <vector>
 
 #include "sigmascape/base/progress.h"
 #include "sigmascape/radar/phase_history.h"

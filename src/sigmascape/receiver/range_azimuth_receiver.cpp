@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
-#include <limits>
 
 #include "sigmascape/base/error.h"
 #include "sigmascape/base/units.h"

@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <fmt/format.h>
 #include <numeric>
-#include <span>
 
 #include "sigmascape/base/error.h"
 #include "sigmascape/base/parallel.h"

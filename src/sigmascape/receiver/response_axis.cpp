@@ -1,6 +1,5 @@
 #include "sigmascape/receiver/response_axis.h"
 
-#include <algorithm>
 #include <cmath>
 #include <numeric>
 

@@ -1,6 +1,6 @@
 #include "sigmascape/receiver/response_plane.h"
 
-#include <array>
+#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <fmt/format.h>

@@ -1,6 +1,5 @@
 #include "sigmascape/receiver/smear.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "sigmascape/base/units.h"

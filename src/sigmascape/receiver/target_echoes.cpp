@@ -1,6 +1,5 @@
 #include "sigmascape/receiver/target_echoes.h"
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
 

@@ -1,7 +1,6 @@
 #include "sigmascape/render/paper_method.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <fmt/format.h>
 

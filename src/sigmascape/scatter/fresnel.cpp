@@ -1,7 +1,5 @@
 #include "sigmascape/scatter/fresnel.h"
 
-#include <cmath>
-
 namespace sigmascape::scatter {
 
 FresnelCoefficients fresnel(std::complex<float> permittivity, float cos_incidence) {

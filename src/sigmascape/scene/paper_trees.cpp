@@ -1,7 +1,6 @@
 #include "sigmascape/scene/paper_trees.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "sigmascape/base/hash.h"
 #include "sigmascape/base/units.h"

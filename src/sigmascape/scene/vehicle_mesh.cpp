@@ -1,6 +1,5 @@
 #include "sigmascape/scene/vehicle_mesh.h"
 
-#include <algorithm>
 #include <cmath>
 #include <span>
 #include <vector>

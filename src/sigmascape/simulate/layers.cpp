@@ -1,7 +1,6 @@
 #include "sigmascape/simulate/layers.h"
 
 #include <array>
-#include <cmath>
 #include <fmt/format.h>
 #include <utility>
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <iterator>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -19,6 +20,7 @@
 #include "sigmascape/radar/strip_beam.h"
 #include "sigmascape/simulate/placement.h"
 #include "sigmascape/simulate/recorded_beam.h"
+#include "sigmascape/simulate/recording_interval.h"
 #include "sigmascape/simulate/simulate.h"
 #include "sigmascape/simulate/targets_seen.h"
 
@@ -247,6 +249,18 @@ std::vector<std::string> recording_warnings(const radar::Radar& radar, const rad
   const auto heard = places_heard(radar, area, terrain.height_at(area.centre()), calibrated);
   if (auto folds = radar::doppler_that_folds(radar, radar::doppler_span(radar, heard)))
     warnings.push_back(*std::move(folds));
+  return warnings;
+}
+
+std::vector<std::string> pulse_warnings(const radar::Radar& radar, const radar::Rectangle& area,
+                                        const terrain::HeightField& terrain, std::span<const radar::Target> targets,
+                                        std::optional<double> asked_s, const CoherentSettings& settings) {
+  std::vector<std::string> warnings = interval_warnings(asked_s, radar, area, terrain);
+  std::ranges::move(recording_warnings(radar, area, terrain, settings.calibrated, targets),
+                    std::back_inserter(warnings));
+  if (!settings.calibrated) return warnings;
+  if (auto missed = scan_beside(radar, area, settings.interval_s, settings.moment_s))
+    warnings.push_back(*std::move(missed));
   return warnings;
 }
 

@@ -9,6 +9,7 @@
 #include "sigmascape/radar/radar_file.h"
 #include "sigmascape/radar/radar_warnings.h"
 #include "sigmascape/radar/target.h"
+#include "sigmascape/simulate/coherent.h"
 #include "sigmascape/terrain/height_field.h"
 
 namespace sigmascape::simulate {
@@ -43,6 +44,13 @@ namespace sigmascape::simulate {
 [[nodiscard]] std::vector<std::string> recording_warnings(const radar::Radar& radar, const radar::Rectangle& area,
                                                           const terrain::HeightField& terrain, bool calibrated,
                                                           std::span<const radar::Target> targets = {});
+
+/// All that whoever records pulses as the settings say should know: what interval_warnings() says of the interval that
+/// was asked for, if one was, recording_warnings() and scan_beside().
+[[nodiscard]] std::vector<std::string> pulse_warnings(const radar::Radar& radar, const radar::Rectangle& area,
+                                                      const terrain::HeightField& terrain,
+                                                      std::span<const radar::Target> targets,
+                                                      std::optional<double> asked_s, const CoherentSettings& settings);
 
 /// Of a real beam that scans while pulses in volts are recorded for so long about `moment_s`, and does not come so near
 /// to the area meanwhile that any of it is less than 20 dB under its peak, both ways.

@@ -4,11 +4,11 @@
 #include <cmath>
 #include <fmt/format.h>
 
-#include "sigmascape/base/toml_reader.h"
 #include "sigmascape/base/units.h"
 #include "sigmascape/radar/azimuth_text.h"
 #include "sigmascape/radar/coherent_warnings.h"
 #include "sigmascape/radar/distance_of_range.h"
+#include "sigmascape/radar/mode_words.h"
 #include "sigmascape/radar/radar_warnings.h"
 #include "sigmascape/radar/rectangle_distances.h"
 #include "sigmascape/radar/rectangle_parts.h"
@@ -82,33 +82,6 @@ TargetsSeen targets_seen_in(const ModeRequest& request) {
 
 }  // namespace
 
-const char* word_for(radar::Mode mode) {
-  switch (mode) {
-    case radar::Mode::RealBeam:
-      return "real-beam";
-    case radar::Mode::DopplerBeamSharpening:
-      return "doppler-beam-sharpening";
-    case radar::Mode::Stripmap:
-      return "stripmap";
-    case radar::Mode::Spotlight:
-      return "spotlight";
-  }
-  return "";
-}
-
-void require_real_beam(const std::filesystem::path& radar_file, std::string_view what_serves) {
-  const auto section = TomlSection::read_file(radar_file).section("mode");
-  if (!section) return;
-  const std::string real_beam = word_for(radar::Mode::RealBeam);
-  const std::string kind = section->choice_or("kind",
-                                              {real_beam, word_for(radar::Mode::DopplerBeamSharpening),
-                                               word_for(radar::Mode::Stripmap), word_for(radar::Mode::Spotlight)},
-                                              real_beam);
-  if (kind == real_beam) return;
-  throw section->fault("kind", fmt::format("is {}, and {}", kind, what_serves),
-                       "take the [mode] out of the radar file, or name another radar file");
-}
-
 radar::Rectangle answering_area(const radar::Radar& radar, const radar::CoherentPlan& plan, const radar::Rectangle& map,
                                 double height_m) {
   const double along_range_m = range_rim_m(radar, map, radar.position.z - height_m);
@@ -148,7 +121,7 @@ ModeImage mode_image(const ModeRequest& request, const radar::CoherentPlan& plan
 std::map<std::string, std::string> source_of(const ModeRequest& request) {
   std::map<std::string, std::string> words{
       {"processing", fmt::format("level of detail {}: coherent, from terrain and atlas", request.level_of_detail)},
-      {"mode", word_for(request.radar.mode)},
+      {"mode", std::string(radar::mode_word(request.radar.mode))},
       {"look_side", look_side(request.radar, request.grid.extent())},
       {"antenna_pattern", request.radar.processing.antenna_pattern ? "left in" : "none"},
       {"thermal_noise", request.radar.processing.thermal_noise ? "in it" : "none"},

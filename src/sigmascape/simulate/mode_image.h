@@ -1,12 +1,10 @@
 #pragma once
 
 #include <cstdint>
-#include <filesystem>
 #include <functional>
 #include <map>
 #include <span>
 #include <string>
-#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -70,12 +68,5 @@ void mode_looks(const ModeRequest& request, const radar::CoherentPlan& plan,
 /// map; of one that keeps the antenna's pattern also where the beam points, unless that passes over every place.
 [[nodiscard]] std::map<std::string, std::string> provenance_of(const ModeRequest& request,
                                                                const radar::CoherentPlan& plan);
-
-/// The mode as radar files spell it.
-[[nodiscard]] const char* word_for(radar::Mode mode);
-
-/// Throws Error when a radar file's mode is another than a real beam, which is all that serves: "datasets are made of
-/// real-beam maps". For asking before the file is read as a whole, which has demands of its own on other modes.
-void require_real_beam(const std::filesystem::path& radar_file, std::string_view what_serves);
 
 }  // namespace sigmascape::simulate

@@ -6,9 +6,9 @@
 
 #include "sigmascape/base/error.h"
 #include "sigmascape/radar/coherent_plan.h"
+#include "sigmascape/radar/mode_words.h"
 #include "sigmascape/radar/rectangle_distances.h"
 #include "sigmascape/radar/vantage.h"
-#include "sigmascape/simulate/mode_image.h"
 
 namespace sigmascape::simulate {
 namespace {
@@ -85,12 +85,12 @@ std::vector<std::string> interval_warnings(std::optional<double> asked_s, const 
   return {
       fmt::format("pulses are recorded for {:.3g} s, and the {} of this radar adds up {:.3g} s: across range they "
                   "tell apart {:.3g} times less than its map; leave the interval out to record as long",
-                  *asked_s, word_for(radar.mode), *needed_s, *needed_s / *asked_s)};
+                  *asked_s, radar::mode_word(radar.mode), *needed_s, *needed_s / *asked_s)};
 }
 
 void tell_of_mode(const radar::Radar& radar, const radar::Rectangle& area, const terrain::HeightField& terrain,
                   std::map<std::string, std::string>& words) {
-  words["radar_mode"] = word_for(radar.mode);
+  words["radar_mode"] = radar::mode_word(radar.mode);
   if (const auto interval_s = interval_if_mapped_s(radar, area, terrain))
     words["mode_interval_s"] = fmt::format("{:.6g}", *interval_s);
 }

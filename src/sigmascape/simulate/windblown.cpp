@@ -1,7 +1,6 @@
 #include "sigmascape/simulate/windblown.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <memory>

@@ -2,7 +2,6 @@
 
 #include <limits>
 #include <optional>
-#include <span>
 #include <vector>
 
 #include "sigmascape/scatter/surface_model.h"

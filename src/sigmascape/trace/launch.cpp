@@ -1,7 +1,6 @@
 #include "sigmascape/trace/launch.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <optional>
 #include <span>

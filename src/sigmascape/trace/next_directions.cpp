@@ -1,5 +1,4 @@
 #include <array>
-#include <cmath>
 
 #include "sigmascape/trace/tile_tracer.h"
 #include "sigmascape/trace/vertex.h"

@@ -2,7 +2,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <span>
 
 #include "sigmascape/base/sobol.h"
 #include "sigmascape/base/vec.h"

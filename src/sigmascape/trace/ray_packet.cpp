@@ -1,8 +1,6 @@
 #include "sigmascape/trace/ray_packet.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 
 #include "sigmascape/base/vector_targets.h"
 
