@@ -89,7 +89,7 @@ bench: packages-build ## Measure on this machine, on the paper's scene: hours. J
 	PYTHONPATH=build/release/python /usr/bin/python3 benchmarks/python/overhead.py --out out/bench/python.jsonl
 
 lint: packages ## Check formatting and run the static analysis
-	$(call sources,src apps tests) | xargs clang-format --dry-run -Werror
+	$(call sources,src apps python benchmarks examples tests) | xargs clang-format --dry-run -Werror
 	cmake --preset release -B build/lint -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON
 	run-clang-tidy -quiet -p build/lint -j $(JOBS) '/(src|apps)/sigmascape/'
 

@@ -24,8 +24,7 @@ const live::Frame& settled(live::LiveRenderer& renderer, live::LiveGround& groun
   return *frame;
 }
 
-FrameCost frame_cost(live::LiveRenderer& renderer, live::LiveGround& ground, const live::Pose& pose,
-                     int repetitions) {
+FrameCost frame_cost(live::LiveRenderer& renderer, live::LiveGround& ground, const live::Pose& pose, int repetitions) {
   FrameCost cost;
   cost.report = settled(renderer, ground, pose).report;
   std::vector<double> walls;

@@ -206,10 +206,10 @@ std::shared_ptr<const terrain::HeightTile> rolling_tile(const terrain::PyramidLa
 }
 
 std::shared_ptr<live::LiveGround> ground_over(const atlas::Store& store,
-                                                std::shared_ptr<terrain::TerrainPyramid> terrain,
-                                                std::size_t budget_bytes) {
+                                              std::shared_ptr<terrain::TerrainPyramid> terrain,
+                                              std::size_t budget_bytes) {
   return std::make_shared<live::LiveGround>(store, std::move(terrain), frequency_hz,
-                                              live::CacheOptions{.budget_bytes = budget_bytes});
+                                            live::CacheOptions{.budget_bytes = budget_bytes});
 }
 
 }  // namespace

@@ -60,8 +60,8 @@ struct WholeScene {
 };
 
 /// The frame's whole power is that of the map that is made of the same atlas without haste.
-void prove_power(const std::shared_ptr<live::LiveGround>& ground, const atlas::Store& store,
-                 const scene::Scene& scene, WholeScene view) {
+void prove_power(const std::shared_ptr<live::LiveGround>& ground, const atlas::Store& store, const scene::Scene& scene,
+                 WholeScene view) {
   radar::Radar radar;
   radar.position = view.pose.position;
   radar.range_resolution_m = 2.0 * view.settings.range_step_m;
