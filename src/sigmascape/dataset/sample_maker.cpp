@@ -7,7 +7,6 @@
 #include <iterator>
 #include <limits>
 #include <nlohmann/json.hpp>
-#include <span>
 
 #include "sigmascape/atlas/ground_layers.h"
 #include "sigmascape/atlas/stac_description.h"
@@ -24,9 +23,9 @@
 #include "sigmascape/receiver/target_echoes.h"
 #include "sigmascape/scene/obstacle_raster.h"
 #include "sigmascape/scene/scene_file.h"
+#include "sigmascape/simulate/part_seen.h"
 #include "sigmascape/simulate/placement.h"
 #include "sigmascape/simulate/simulate.h"
-#include "sigmascape/simulate/part_seen.h"
 #include "sigmascape/trace/path_tracer.h"
 
 namespace sigmascape::dataset {
@@ -146,11 +145,6 @@ double noise_under(const radar::GroundMap& map, const SamplePlan& plan) {
   if (plan.noise_sigma0_db) return linear_from_db(*plan.noise_sigma0_db);
   if (plan.snr_db) return mean_vv(map) / linear_from_db(*plan.snr_db);
   return 0.0;
-}
-
-/// Whether anything of a cross-section shows in the polarizations that are written.
-bool shows_in(std::span<const radar::Polarization> written, const radar::Channels& rcs_m2) {
-  return std::ranges::any_of(written, [&](radar::Polarization of) { return rcs_m2.power(of) > 0.0F; });
 }
 
 double half_diagonal_m(const DatasetSpec& spec) {
@@ -379,9 +373,8 @@ std::vector<SampleTarget> SampleMaker::targets_of(const SamplePlan& plan, const 
     target.box.category = planned.target_class;
     target.box.track = planned.track;
     target.part_seen = part_seen(place);
-    target.is_seen = target.part_seen >= least_part_seen &&
-                     shows_in(spec_.polarizations, target_channels(planned.rcs_m2)) &&
-                     is_looked_at(planned.position, map) && is_within_gate(place, radar) && target.box.width > 0.0;
+    target.is_seen = target.part_seen >= least_part_seen && is_looked_at(planned.position, map) &&
+                     is_within_gate(place, radar) && target.box.width > 0.0;
     targets.push_back(target);
   }
   return targets;
