@@ -1,25 +1,19 @@
 #include "sigmascape/dataset/sample_maker.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <fmt/format.h>
 #include <iterator>
 #include <limits>
-#include <nlohmann/json.hpp>
 
 #include "sigmascape/atlas/ground_layers.h"
-#include "sigmascape/atlas/stac_description.h"
 #include "sigmascape/base/error.h"
-#include "sigmascape/base/interruption.h"
-#include "sigmascape/base/sha256.h"
 #include "sigmascape/base/units.h"
 #include "sigmascape/dataset/bounce_labels.h"
+#include "sigmascape/dataset/dataset_atlases.h"
 #include "sigmascape/dataset/sample_radar.h"
 #include "sigmascape/dataset/speckle.h"
 #include "sigmascape/dataset/target_box.h"
 #include "sigmascape/product/ground_projection.h"
-#include "sigmascape/radar/range_ambiguity.h"
 #include "sigmascape/receiver/target_echoes.h"
 #include "sigmascape/scene/obstacle_raster.h"
 #include "sigmascape/scene/scene_file.h"
@@ -30,88 +24,6 @@
 
 namespace sigmascape::dataset {
 namespace {
-
-/// How far above the highest thing the radar must stand.
-constexpr double clearance_m = 2.0;
-/// By how much the rounding of degrees may lead out of an atlas.
-constexpr double slack_rad = 1e-9;
-
-atlas::Store opened_store(const DatasetSpec& spec, const std::filesystem::path& folder, const std::string& key,
-                          const std::string& scene_hash) {
-  auto store = atlas::Store::open(folder);
-  if (store.description().scene_hash != scene_hash) {
-    throw Error(fmt::format("{}: dataset.{}", spec.file.string(), key), "was baked from another scene",
-                "bake this scene, or name the scene that the atlas was made from");
-  }
-  return store;
-}
-
-/// Throws Error for a store that differs from the atlas in more than the surfaces that a path may meet: what the one
-/// holds less the other would be the difference of two bakes then, not of bounces.
-void check_same_bake(const atlas::AtlasDescription& fewer, const atlas::AtlasDescription& all,
-                     const std::string& where) {
-  if (fewer.aspects != all.aspects)
-    throw Error(where, "has other looks than the atlas", "bake it with the same azimuths, elevations and frequencies");
-  const std::string remedy = "bake it with all options of the atlas but --bounces";
-  if (fewer.patches != all.patches)
-    throw Error(where,
-                fmt::format("has texels of {:g} m, and the atlas of {:g} m, or other patches", fewer.patches.texel_m,
-                            all.patches.texel_m),
-                remedy);
-  const auto word = [](const atlas::AtlasDescription& description, const std::string& key) {
-    const auto found = description.settings.find(key);
-    return found == description.settings.end() ? std::string("none") : found->second;
-  };
-  for (const auto& settings : {fewer.settings, all.settings}) {
-    for (const auto& [key, value] : settings) {
-      if (key == "max_bounces" || word(fewer, key) == word(all, key)) continue;
-      throw Error(where,
-                  fmt::format("was baked with {} {}, and the atlas with {}", key, word(fewer, key), word(all, key)),
-                  remedy);
-    }
-  }
-}
-
-/// The store of echoes over at most so many surfaces.
-atlas::Store opened_bounces(const DatasetSpec& spec, std::size_t most, const std::string& scene_hash,
-                            const atlas::AtlasDescription& all) {
-  auto store = opened_store(spec, spec.bounce_atlases[most - 1], spec.bounce_atlases_key, scene_hash);
-  const auto& settings = store.description().settings;
-  const auto bounces = settings.find("max_bounces");
-  const std::string where =
-      fmt::format("{}: {}", spec.file.string(), spec.bounce_atlases[most - 1].filename().string());
-  if (bounces == settings.end() || bounces->second != std::to_string(most))
-    throw Error(where,
-                fmt::format("does not hold the echoes over {} surface{} and no more", most, most == 1 ? "" : "s"),
-                fmt::format("bake it with --bounces {}", most));
-  check_same_bake(store.description(), all, where);
-  return store;
-}
-
-/// Throws Error for orders of bounces that bakes with shared noise do not tell. Up to two surfaces they do, for echoes
-/// of one are not shared. Of two bakes that share, each by the doubt in its own texels, one less the other is less than
-/// nothing in places.
-void check_tells_orders(const DatasetSpec& spec, std::size_t bounces, const atlas::AtlasDescription& all) {
-  const auto noise = all.settings.find("noise");
-  if (bounces <= 2 || noise == all.settings.end() || noise->second != "shared") return;
-  throw Error(
-      spec.file.string() + ": dataset.layers",
-      fmt::format("asks for bounce{}, which bakes with --noise shared do not tell, for each shares its own noise",
-                  bounces),
-      "bake atlas and bounce_atlases without it, or ask for bounce1, bounce2 and multibounce alone");
-}
-
-/// What a store is told apart by: of equal descriptions all texels are equal.
-std::string description_hash(const atlas::Store& store) {
-  return sha256_of(atlas::described(store.description()).dump());
-}
-
-/// Whole, and read as samples come to it.
-atlas::Atlas opened_atlas(const atlas::Store& store) {
-  atlas::Atlas atlas = atlas::load_atlas(store, {.reading = atlas::Reading::AsAsked});
-  atlas.check_whole();
-  return atlas;
-}
 
 std::shared_ptr<const radar::ObstacleMap> obstacles_for(const atlas::Atlas& atlas, const scene::Scene& scene,
                                                         double cell_m) {
@@ -145,10 +57,6 @@ double noise_under(const radar::GroundMap& map, const SamplePlan& plan) {
   if (plan.noise_sigma0_db) return linear_from_db(*plan.noise_sigma0_db);
   if (plan.snr_db) return mean_vv(map) / linear_from_db(*plan.snr_db);
   return 0.0;
-}
-
-double half_diagonal_m(const DatasetSpec& spec) {
-  return static_cast<double>(spec.cells) * spec.cell_m / std::sqrt(2.0);
 }
 
 /// Whether a place lies on the map where the radar looks.
@@ -185,16 +93,10 @@ SampleMaker::SampleMaker(const DatasetSpec& spec)
   if (spec_.level_of_detail == 0) {
     geometry_.emplace(scene_, trace::Footing::Terrain);
   } else {
-    const auto store = opened_store(spec_, *spec_.atlas, "atlas", scene_hash_);
-    atlas_ = opened_atlas(store);
-    atlas_hashes_.push_back(description_hash(store));
-    const std::size_t bounces = spec_.bounce_atlases.size();
-    check_tells_orders(spec_, bounces, store.description());
-    for (std::size_t most = 1; most <= bounces; ++most) {
-      const auto fewer = opened_bounces(spec_, most, scene_hash_, store.description());
-      bounce_atlases_.push_back(opened_atlas(fewer));
-      atlas_hashes_.push_back(description_hash(fewer));
-    }
+    DatasetAtlases opened = opened_atlases(spec_, scene_hash_);
+    atlas_ = std::move(opened.all);
+    bounce_atlases_ = std::move(opened.of_bounces);
+    atlas_hashes_ = std::move(opened.hashes);
     obstacles_ = obstacles_for(*atlas_, scene_, spec_.cell_m);
     for (const radar::Obstacle& obstacle : obstacles_->obstacles.values())
       tallest_m_ = std::max(tallest_m_, static_cast<double>(obstacle.top_m()));
@@ -205,122 +107,6 @@ SampleMaker::SampleMaker(const DatasetSpec& spec)
   check_gate();
   check_flights();
   check_classes();
-}
-
-/// Labels of classes are bytes.
-void SampleMaker::check_classes() const {
-  const std::size_t classes = simulate::class_names(scene_).size();
-  if (classes <= 256 || std::ranges::find(spec_.layers, simulate::LayerKind::Class) == spec_.layers.end()) return;
-  throw Error(spec_.file.string() + ": dataset.layers",
-              fmt::format("asks for class, and the scene has {} classes, where files hold 256", classes),
-              "leave it out, or give the scene fewer materials");
-}
-
-void SampleMaker::check_radars() const {
-  const auto& drawn = spec_.radar_ranges.frequency_hz;
-  if (!atlas_) {
-    if (drawn) check_materials(*drawn);
-    return;
-  }
-  if (!drawn) return atlas_->check_frequency(spec_.radar.radar.frequency_hz);
-  const auto& baked = atlas_->aspects().frequencies_hz;
-  constexpr double slack = 1.01;
-  if (drawn->lowest * slack < baked.front() || drawn->highest > baked.back() * slack) {
-    throw Error(spec_.file.string() + ": radar.frequency_ghz",
-                fmt::format("leads outside the atlas, which was baked from {:g} to {:g} GHz", baked.front() / 1e9,
-                            baked.back() / 1e9),
-                "stay within these, or bake more frequencies");
-  }
-}
-
-/// What a material is not known for is said at once, not by the first sample that comes to it.
-void SampleMaker::check_materials(const Range& frequencies_hz) const {
-  try {
-    static_cast<void>(trace::surface_models(scene_, std::array{frequencies_hz.lowest, frequencies_hz.highest}));
-  } catch (const Error& unknown) {
-    throw Error(spec_.file.string() + ": radar.frequency_ghz", "leads to where the scene is not known", unknown.what());
-  }
-}
-
-void SampleMaker::check_views() const {
-  const std::string file = spec_.file.string();
-  if (atlas_) {
-    const auto& baked = atlas_->aspects().elevations_rad;
-    if (spec_.elevation_rad.lowest < baked.front() - slack_rad ||
-        spec_.elevation_rad.highest > baked.back() + slack_rad) {
-      throw Error(file + ": view.elevation_deg",
-                  fmt::format("leads outside the atlas, which was baked from {:.6g} to {:.6g} degrees",
-                              deg_from_radians(baked.front()), deg_from_radians(baked.back())),
-                  "stay within these, or bake more elevations");
-    }
-  }
-  const double highest_m = scene_.terrain.highest_m() + static_cast<float>(scene::tallest_object_m(scene_));
-  const double least_altitude_m =
-      scene_.terrain.lowest_m() + spec_.slant_range_m.lowest * std::sin(spec_.elevation_rad.lowest);
-  if (least_altitude_m < highest_m + clearance_m) {
-    throw Error(file + ": view.slant_range_km",
-                fmt::format("lets the radar stand at {:.0f} m, and the scene reaches up to {:.0f} m", least_altitude_m,
-                            highest_m),
-                "begin the range further out, or the elevation higher");
-  }
-  if (spec_.slant_range_m.lowest * std::cos(spec_.elevation_rad.highest) < half_diagonal_m(spec_)) {
-    throw Error(file + ": view.slant_range_km", "lets the radar stand over the map", "begin the range further out");
-  }
-}
-
-/// A gate that is open to some of the maps is warned of where it is shut (dataset_warnings.h).
-void SampleMaker::check_gate() const {
-  const auto &first_m = spec_.radar.radar.receiver.first_range_m, &last_m = spec_.radar.radar.receiver.last_range_m;
-  constexpr double never = std::numeric_limits<double>::infinity();
-  const double unambiguous_m = radar::unambiguous_range_m(spec_.radar.radar.waveform.pulse_repetition_hz);
-  const double opens_m = first_m.value_or(0.0);
-  const double closes_m = std::min(last_m.value_or(never), first_m ? opens_m + unambiguous_m : never);
-  const double flown_m =
-      spec_.sequence.speed_mps.highest * spec_.sequence.interval_s * static_cast<double>(spec_.sequence.frames - 1);
-  const double relief_m = scene_.terrain.highest_m() - scene_.terrain.lowest_m();
-  const double about_m = flown_m + std::hypot(half_diagonal_m(spec_), relief_m);
-  const double nearest_m = std::max(0.0, spec_.slant_range_m.lowest - about_m);
-  const double farthest_m = spec_.slant_range_m.highest + about_m;
-  if (opens_m <= farthest_m && closes_m >= nearest_m) return;
-  throw Error(spec_.file.string() + ": view.slant_range_km",
-              fmt::format("leads to maps from {:.5g} to {:.5g} km away, and the radar file's range gate is open from "
-                          "{:.5g} to {:.5g} km",
-                          nearest_m / 1e3, farthest_m / 1e3, opens_m / 1e3, closes_m / 1e3),
-              "stay where the gate is open, or move it by receiver.first_range_km and last_range_km");
-}
-
-void SampleMaker::check_flights() const {
-  const std::size_t frames = spec_.sequence.frames;
-  if (!flies(spec_.sequence)) return;
-  for (std::size_t first = 0; first < spec_.count; first += frames) {
-    Interruption::heed();
-    const SamplePlan begin = plan_of(spec_, centres_, first);
-    // Level flight: the middle of the map is seen steepest from the frame that is nearest to it, flattest from an end.
-    check_frame(plan_of(spec_, centres_, first + nearest_frame(spec_, begin, scene_.terrain)));
-    check_frame(plan_of(spec_, centres_, first + frames - 1));
-  }
-}
-
-void SampleMaker::check_frame(const SamplePlan& plan) const {
-  const Vec3d to_radar = radar_of(spec_, plan, scene_.terrain).position - middle_of(plan, scene_.terrain);
-  const double distance_m = length(Vec2d{to_radar.x, to_radar.y});
-  const std::string where = spec_.file.string() + ": sequence.speed_mps";
-  if (distance_m < half_diagonal_m(spec_)) {
-    throw Error(where,
-                fmt::format("takes the radar over the map, in frame {} of sequence {}", plan.frame, plan.sequence),
-                "fly less far by fewer frames, a shorter interval or less speed, or begin further out");
-  }
-  if (!atlas_) return;
-  const double elevation_rad = std::atan2(to_radar.z, distance_m);
-  const auto& baked = atlas_->aspects().elevations_rad;
-  if (elevation_rad >= baked.front() - slack_rad && elevation_rad <= baked.back() + slack_rad) return;
-  throw Error(
-      where,
-      fmt::format("leads outside the atlas, which was baked from {:.2f} to {:.2f} degrees: frame {} of sequence {} "
-                  "is seen under {:.2f}",
-                  deg_from_radians(baked.front()), deg_from_radians(baked.back()), plan.frame, plan.sequence,
-                  deg_from_radians(elevation_rad)),
-      "fly less far, keep view.elevation_deg from the ends of the atlas, or bake more elevations");
 }
 
 radar::RangeAzimuthImage SampleMaker::ground_image(const radar::Radar& radar, const SamplePlan& plan,
