@@ -42,8 +42,7 @@ struct IqRequest {
   std::uint64_t seed = 1, dwell = 0;
   double moment_s = 0.0;  ///< as in simulate::CoherentSettings
   unsigned threads = 0;
-  const Provenance& origin;      ///< what every file says of the scene and the moment
-  bool is_beside_a_map = false;  ///< which warns of its targets
+  const Provenance& origin;  ///< what every file says of the scene and the moment
 };
 
 /// The frequency at which an atlas of these directions is asked for this radar: the radar's own or, when extrapolation

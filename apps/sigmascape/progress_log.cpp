@@ -7,8 +7,11 @@
 #include <cstring>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string_view>
+#include <sys/stat.h>
 #include <system_error>
+#include <unistd.h>
 
 #include "number_or_null.h"
 #include "pipe_signal_held.h"
@@ -38,16 +41,21 @@ void check_is_log(const std::filesystem::path& file) {
   throw Error(file.string(), "holds something else than the log of a bake", "give --json-log a file of its own");
 }
 
-/// The stream of the program's own that goes there, or none.
-std::FILE* own_stream(const std::filesystem::path& file) {
-  std::error_code is_none;
-  if (std::filesystem::equivalent(file, "/dev/stdout", is_none)) return stdout;
-  return std::filesystem::equivalent(file, "/dev/stderr", is_none) ? stderr : nullptr;
+/// The descriptor of the program's own that goes there, be it a file, a pipe, a socket or a terminal, or none.
+std::optional<int> own_descriptor(const std::filesystem::path& file) {
+  struct stat named {
+  }, own{};
+  if (::stat(file.c_str(), &named) != 0) return std::nullopt;
+  for (const int descriptor : {STDOUT_FILENO, STDERR_FILENO}) {
+    const bool is_known = ::fstat(descriptor, &own) == 0;
+    if (is_known && own.st_dev == named.st_dev && own.st_ino == named.st_ino) return descriptor;
+  }
+  return std::nullopt;
 }
 
-/// A second opening of what the program writes to would write over that, or never learn that its reader went.
+/// What the program writes to is not opened a second time, which would write over that, but shared.
 std::FILE* opened(const std::filesystem::path& file) {
-  if (std::FILE* const own = own_stream(file)) return own;
+  if (const auto own = own_descriptor(file)) return ::fdopen(::dup(*own), "w");
   check_is_log(file);
   return std::fopen(file.c_str(), "a");
 }
@@ -63,11 +71,10 @@ bool ends_within_a_line(const std::filesystem::path& file) {
 }  // namespace
 
 bool is_own_stream(const std::filesystem::path& file) {
-  return own_stream(file) != nullptr;
+  return own_descriptor(file).has_value();
 }
 
-ProgressLog::ProgressLog(const std::filesystem::path& file)
-    : file_name_(file), is_own_(is_own_stream(file)), file_(opened(file)) {
+ProgressLog::ProgressLog(const std::filesystem::path& file) : file_name_(file), file_(opened(file)) {
   if (file_ == nullptr) {
     throw Error(file.string(), std::string("cannot be written (") + std::strerror(errno) + ")",
                 "give --json-log a file in a folder that exists");
@@ -77,7 +84,7 @@ ProgressLog::ProgressLog(const std::filesystem::path& file)
 
 ProgressLog::~ProgressLog() {
   const PipeSignalHeld held;
-  if (!is_own_) std::fclose(file_);
+  std::fclose(file_);
 }
 
 void ProgressLog::advanced(std::string_view task, double done, double total, std::string_view unit) {

@@ -40,7 +40,6 @@ class ProgressLog final : public ProgressListener {
   void write_line(std::string_view waits_for = {});
 
   std::filesystem::path file_name_;
-  bool is_own_;  ///< the program's, which it goes on writing to
   std::FILE* file_;
   ProgressRate rate_;
   std::string task_, unit_;

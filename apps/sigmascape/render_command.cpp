@@ -97,7 +97,8 @@ Rendered traced(const RenderOptions& options, const scene::Scene& scene, const r
   simulate::TraceSettings settings = options.trace;
   settings.cell_m = grid.cell_m;
   Provenance provenance = simulate::provenance_of_traced(settings, scene);
-  tell_of_targets(radar, simulate::targets_seen(scene, geometry, settings.targets, radar, grid.extent()), provenance);
+  tell_of_targets(radar, simulate::targets_in_traced(scene, geometry, settings.targets, radar, grid.extent()),
+                  provenance);
   trace::TraceCounts counts;
   TerminalProgress progress;
   const Stopwatch watch;
@@ -174,10 +175,9 @@ Rendered baked(const RenderOptions& options, const scene::Scene& scene, const at
   rendered.cost = {{"ground_samples", counts.ground_samples}, {"visible", counts.visible}};
   rendered.provenance =
       simulate::provenance_of_baked(store.description(), radar, settings, options.trace.seed, options.trace.dwell);
-  tell_of_targets(radar,
-                  simulate::targets_seen(targets, radar, grid.extent(),
-                                         {.terrain = scene.terrain, .obstacles = simulate::obstacles_of(textures)}),
-                  rendered.provenance);
+  tell_of_targets(
+      radar, simulate::targets_in_map(targets, radar, grid.extent(), {scene.terrain, simulate::obstacles_of(textures)}),
+      rendered.provenance);
   return rendered;
 }
 
@@ -401,8 +401,7 @@ void render(RenderOptions options, std::optional<radar::Polarization> polarizati
                          options.trace.dwell,
                          options.time_s,
                          options.trace.threads,
-                         origin,
-                         has_map};
+                         origin};
   check(options.iq, pulses);
   nlohmann::ordered_json summary;
   for (const Written& written : files_of(options)) summary[written.word] = written.file;

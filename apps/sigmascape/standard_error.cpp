@@ -1,6 +1,8 @@
 #include "standard_error.h"
 
 #include <cstdio>
+#include <mutex>
+#include <set>
 
 #include "pipe_signal_held.h"
 
@@ -13,7 +15,10 @@ void say(std::string_view text) noexcept {
 }
 
 void warn(const std::string& what) {
-  say("warning: " + what + "\n");
+  static std::mutex guard;
+  static std::set<std::string> said;
+  const std::lock_guard lock(guard);
+  if (said.insert(what).second) say("warning: " + what + "\n");
 }
 
 }  // namespace sigmascape::cli

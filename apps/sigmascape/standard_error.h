@@ -11,7 +11,7 @@ namespace sigmascape::cli {
 /// Writes a text to standard error as it is, at once.
 void say(std::string_view text) noexcept;
 
-/// "warning: …" on a line of its own.
+/// "warning: …" on a line of its own; what was said already is not said again.
 void warn(const std::string& what);
 
 }  // namespace sigmascape::cli

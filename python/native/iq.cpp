@@ -125,8 +125,8 @@ Described<Signal> made(Maker<Signal> make, const Plan& plan_of, const LoadedAtla
     words["wind_mps"] = "0";
     words["look_side"] = simulate::look_side(radar, area);
     if constexpr (!has_cells) simulate::tell_of_mode(radar, area, atlas.terrain(), words);
-    const auto seen = simulate::targets_seen(
-        targets, radar, area, {atlas.terrain(), simulate::obstacles_of(atlas.textures()), radar::earth_of(radar)});
+    const auto seen = (has_cells ? simulate::targets_in_map : simulate::targets_in_pulses)(
+        targets, radar, area, {atlas.terrain(), simulate::obstacles_of(atlas.textures())});
     warn_of(radar, seen.warnings);
     words["targets"] = std::to_string(targets.size());
     words["targets_seen"] = std::to_string(seen.count);

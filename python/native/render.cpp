@@ -99,7 +99,7 @@ Seen traced(const LoadedScene* scene, const Wish& wish, const simulate::TraceSet
   auto provenance = simulate::provenance_of_traced(settings, scene->scene());
   tell_of_targets(
       wish.radar,
-      simulate::targets_seen(scene->scene(), scene->geometry(), settings.targets, wish.radar, wish.grid.extent()),
+      simulate::targets_in_traced(scene->scene(), scene->geometry(), settings.targets, wish.radar, wish.grid.extent()),
       provenance);
   trace::TraceCounts counts;
   auto image = simulate::traced_image(scene->scene(), scene->geometry(), wish.radar, wish.grid.extent(), settings,
@@ -143,8 +143,8 @@ Seen baked(const LoadedAtlas* atlas, const Wish& wish, const render::RenderSetti
   auto provenance =
       simulate::provenance_of_baked(atlas->description(), wish.radar, settings, effort.seed, effort.dwell);
   tell_of_targets(wish.radar,
-                  simulate::targets_seen(wish.targets, wish.radar, wish.grid.extent(),
-                                         {*wish.ground.terrain, simulate::obstacles_of(atlas->textures())}),
+                  simulate::targets_in_map(wish.targets, wish.radar, wish.grid.extent(),
+                                           {*wish.ground.terrain, simulate::obstacles_of(atlas->textures())}),
                   provenance);
   render::RenderCounts counts;
   auto image = simulate::baked_image(atlas->textures(), *wish.ground.terrain, wish.radar, wish.grid.extent(), settings,

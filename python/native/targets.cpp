@@ -10,6 +10,7 @@
 #include "given_number.h"
 #include "loaded_atlas.h"
 #include "loaded_scene.h"
+#include "long_call.h"
 #include "parts.h"
 #include "whole_number.h"
 
@@ -180,7 +181,9 @@ void add_targets(py::module_& module) {
       .def(
           "position_m",
           [](const TargetSource& t, const LoadedAtlas& atlas, double time_s) {
-            return position_on(t, atlas.description().frame, atlas.terrain(), time_s);
+            // Another thread that reads it may want the GIL meanwhile.
+            const terrain::HeightField* const terrain = long_call([&] { return &atlas.terrain(); });
+            return position_on(t, atlas.description().frame, *terrain, time_s);
           },
           py::arg("over"), py::arg("time_s") = 0.0)
       .def("__copy__", [](const TargetSource& t) { return TargetSource(t); })

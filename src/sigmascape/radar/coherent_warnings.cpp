@@ -96,7 +96,7 @@ void check_turn(const Radar& radar, const CoherentPlan& plan, Vec3d middle, std:
 /// Doppler beyond what pulses know, and beyond the image's axis, in whose middle is that of the area's middle.
 void check_folding(const Radar& radar, const Rectangle& area, Vec3d middle, std::vector<std::string>& warnings) {
   const DopplerSpan span = doppler_span(radar, corners_of(area, middle.z));
-  if (auto folds = doppler_that_folds(radar, span)) return warnings.push_back(*std::move(folds));
+  if (auto folds = doppler_that_folds(radar, span, "what is mapped")) return warnings.push_back(*std::move(folds));
   const double prf_hz = radar.waveform.pulse_repetition_hz, middle_hz = doppler_of_hz(radar, middle);
   const double reach_hz = std::max(span.most_hz - middle_hz, middle_hz - span.least_hz);
   if (!(2.0 * reach_hz > prf_hz)) return;

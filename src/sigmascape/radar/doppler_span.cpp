@@ -23,13 +23,14 @@ DopplerSpan doppler_span(const Radar& radar, std::span<const Vec3d> places) {
   return span;
 }
 
-std::optional<std::string> doppler_that_folds(const Radar& radar, const DopplerSpan& span) {
+std::optional<std::string> doppler_that_folds(const Radar& radar, const DopplerSpan& span, std::string_view what) {
   const double spans_hz = span.most_hz - span.least_hz, prf_hz = radar.waveform.pulse_repetition_hz;
   if (!(spans_hz > prf_hz)) return std::nullopt;
   return fmt::format(
-      "the Doppler of what is mapped spans {:.4g} Hz, more than the pulse repetition frequency of {:g} Hz, and folds "
-      "over; map less or send more pulses",
-      spans_hz, prf_hz);
+      "the Doppler of {} spans {:.4g} Hz, more than the pulse repetition frequency of {:g} Hz, and folds over; map "
+      "less "
+      "or send more pulses",
+      what, spans_hz, prf_hz);
 }
 
 }  // namespace sigmascape::radar

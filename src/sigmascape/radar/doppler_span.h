@@ -3,6 +3,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 
 #include "sigmascape/base/vec.h"
 #include "sigmascape/radar/radar.h"
@@ -18,7 +19,9 @@ struct DopplerSpan {
 };
 [[nodiscard]] DopplerSpan doppler_span(const Radar& radar, std::span<const Vec3d> places);
 
-/// A sentence where that is more than pulses know, their repetition frequency; nothing where it is not.
-[[nodiscard]] std::optional<std::string> doppler_that_folds(const Radar& radar, const DopplerSpan& span);
+/// A sentence where that of `what`, "what is mapped", is more than pulses know, their repetition frequency; nothing
+/// where it is not.
+[[nodiscard]] std::optional<std::string> doppler_that_folds(const Radar& radar, const DopplerSpan& span,
+                                                            std::string_view what);
 
 }  // namespace sigmascape::radar

@@ -4,7 +4,11 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <functional>
+#include <span>
+#include <tuple>
 #include <unordered_map>
+#include <vector>
 
 #include "sigmascape/base/hash.h"
 #include "sigmascape/scene/disjoint_groups.h"
@@ -38,17 +42,45 @@ Vec3f doubled_area(const std::vector<Vec3f>& vertices, const std::array<std::uin
 
 /// A triangle at one of its edges.
 struct AtEdge {
+  std::uint64_t edge;
   std::uint32_t triangle;
-  bool goes_up;  ///< along it, by the words of its ends
+  bool goes_up;                ///< along it, by the words of its ends
+  bool has_neighbour = false;  ///< that is wound alike
+
+  friend bool operator<(const AtEdge& a, const AtEdge& b) {
+    return std::tie(a.edge, a.triangle) < std::tie(b.edge, b.triangle);
+  }
 };
 
-/// Whether a surface goes on across an edge, by twice the areas of its triangles: with a gentle bend at most, whichever
-/// way these are wound. Seen from one side, neighbours go along their edge in opposite ways; those that do not lie upon
-/// one another, as front and back of a sheet do that were cut otherwise.
-bool goes_on(Vec3f a, Vec3f b, bool same_way) {
+/// Whether twice the areas of two triangles are so of faces that are bent by less than 20°, whichever way these are
+/// wound.
+bool bends_gently(Vec3f a, Vec3f b) {
   constexpr float gentle2 = 0.88302F;  // cos² of 20°
-  const float product = dot(a, b), lengths2 = dot(a, a) * dot(b, b);
-  return (product > 0.0F) != same_way && product * product > gentle2 * lengths2;
+  const float product = dot(a, b);
+  return product * product > gentle2 * (dot(a, a) * dot(b, b));
+}
+
+/// Joins what hangs together at one edge. Seen from one side, neighbours that are wound alike go along it in opposite
+/// ways, and those that are not the same way: these are joined where there is no other, for the front of a sheet and
+/// its back, cut otherwise, are so as well. What goes the other way lies upon one another.
+void join_across(std::span<AtEdge> at_edge, const std::vector<Vec3f>& doubled, DisjointGroups& faces) {
+  const auto for_pairs = [&](bool wound_alike, const auto& visit) {
+    for (std::size_t i = 0; i < at_edge.size(); ++i) {
+      for (std::size_t j = i + 1; j < at_edge.size(); ++j) {
+        AtEdge &here = at_edge[i], &there = at_edge[j];
+        const Vec3f a = doubled[here.triangle], b = doubled[there.triangle];
+        const bool are_alike = dot(a, b) > 0.0F, go_the_same_way = here.goes_up == there.goes_up;
+        if (are_alike == wound_alike && go_the_same_way != wound_alike && bends_gently(a, b)) visit(here, there);
+      }
+    }
+  };
+  for_pairs(true, [&](AtEdge& here, AtEdge& there) {
+    faces.join(here.triangle, there.triangle);
+    here.has_neighbour = there.has_neighbour = true;
+  });
+  for_pairs(false, [&](AtEdge& here, AtEdge& there) {
+    if (!here.has_neighbour && !there.has_neighbour) faces.join(here.triangle, there.triangle);
+  });
 }
 
 }  // namespace
@@ -65,9 +97,9 @@ std::vector<float> facet_areas_m2(const Mesh& mesh, const std::vector<Vec3f>& ve
   DisjointGroups faces(count);
   // Meshes that are to be seen from both sides hold each triangle twice: it is one face of one area.
   std::unordered_map<std::uint64_t, std::uint32_t> first_between;
-  std::unordered_multimap<std::uint64_t, AtEdge> at_edge;
+  std::vector<AtEdge> sides;
   first_between.reserve(count);
-  at_edge.reserve(std::size_t{3} * count);
+  sides.reserve(std::size_t{3} * count);
   for (std::uint32_t t = 0; t < count; ++t) {
     std::array<std::uint64_t, 3> corner{};
     for (std::size_t i = 0; i < 3; ++i) corner[i] = place_of(vertices[mesh.triangles[t][i]]);
@@ -77,15 +109,15 @@ std::vector<float> facet_areas_m2(const Mesh& mesh, const std::vector<Vec3f>& ve
       continue;
     }
     for (std::size_t i = 0; i < 3; ++i) {
-      const std::uint64_t from = corner[i], to = corner[(i + 1) % 3], edge = edge_between(from, to);
-      const AtEdge here{t, from < to};
-      const auto [first, last] = at_edge.equal_range(edge);
-      for (auto found = first; found != last; ++found) {
-        const AtEdge& there = found->second;
-        if (goes_on(doubled[t], doubled[there.triangle], here.goes_up == there.goes_up)) faces.join(t, there.triangle);
-      }
-      at_edge.emplace(edge, here);
+      const std::uint64_t from = corner[i], to = corner[(i + 1) % 3];
+      sides.push_back({edge_between(from, to), t, from < to});
     }
+  }
+  std::ranges::sort(sides, std::less<>());
+  for (auto first = sides.begin(); first != sides.end();) {
+    const auto end = std::find_if(first, sides.end(), [&](const AtEdge& side) { return side.edge != first->edge; });
+    join_across({first, end}, doubled, faces);
+    first = end;
   }
   std::vector<float> face_area(count, 0.0F);
   for (std::uint32_t t = 0; t < count; ++t) face_area[faces.first_of(t)] += 0.5F * length(doubled[t]);

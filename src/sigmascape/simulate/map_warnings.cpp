@@ -80,21 +80,29 @@ radar::Radar as_it_maps(const radar::Radar& radar, const radar::Rectangle& area,
   }
 }
 
-/// The corners of an area and, where a beam about its middle is narrower, how far that reaches to both sides there.
-std::vector<Vec3d> places_heard(const radar::Radar& radar, const radar::Rectangle& area, double height_m,
-                                bool within_beam) {
-  const Vec2d foot{radar.position.x, radar.position.y}, away = area.centre() - foot;
-  const auto corners = radar::corners_of(area, height_m);
+/// The Doppler at the range of an area's middle, from one side of it to the other or, in volts, of a beam about its
+/// middle where that is narrower: that along range is told apart by range.
+std::optional<std::string> doppler_that_folds(const radar::Radar& radar, const radar::Rectangle& area,
+                                              const terrain::HeightField& terrain, bool within_beam) {
+  constexpr int steps = 32;
+  const radar::Radar mapping = as_it_maps(radar, area, terrain);
+  const Vec2d foot{mapping.position.x, mapping.position.y}, middle = area.centre();
   const radar::AzimuthSpan span = radar::azimuths_of(area, foot);
-  const double width_rad = radar::antenna_pattern(radar).azimuth().two_way_width_rad();
-  if (!within_beam || area.contains(foot) || span.right_rad - span.left_rad <= width_rad)
-    return {corners.begin(), corners.end()};
-  std::vector<Vec3d> edges;
-  for (const double azimuth : {span.middle_rad - 0.5 * width_rad, span.middle_rad + 0.5 * width_rad}) {
-    const Vec2d there = foot + Vec2d{std::sin(azimuth), std::cos(azimuth)} * length(away);
-    edges.push_back({there.x, there.y, height_m});
+  double left_rad = span.left_rad, right_rad = span.right_rad;
+  const double half_beam_rad = 0.5 * radar::antenna_pattern(mapping).azimuth().two_way_width_rad();
+  const bool is_of_beam = within_beam && right_rad - left_rad > 2.0 * half_beam_rad;
+  if (is_of_beam) {
+    left_rad = -half_beam_rad;
+    right_rad = half_beam_rad;
   }
-  return edges;
+  std::vector<Vec3d> places;
+  for (int step = 0; step <= steps; ++step) {
+    const double azimuth = span.middle_rad + left_rad + (right_rad - left_rad) * step / steps;
+    const Vec2d there = foot + Vec2d{std::sin(azimuth), std::cos(azimuth)} * length(middle - foot);
+    places.push_back({there.x, there.y, terrain.height_at(middle)});
+  }
+  return radar::doppler_that_folds(mapping, radar::doppler_span(mapping, places),
+                                   is_of_beam ? "what the beam sees at one range" : "what is mapped at one range");
 }
 
 /// Of targets whose echoes fall outside a range gate, however often they fold.
@@ -115,9 +123,10 @@ std::optional<std::string> targets_outside(const radar::Radar& radar, std::span<
   }
   if (outside.empty()) return std::nullopt;
   return fmt::format(
-      "of {} targets {} ({}) answer from outside the range gate from {:.5g} to {:.5g} km, the first from {:.5g} km, "
+      "of {} targets {} ({}) answer{} from outside the range gate from {:.5g} to {:.5g} km, the first from {:.5g} km, "
       "and pulses hold nothing of them; receiver.first_range_km and last_range_km widen the gate",
-      targets.size(), outside.size(), names_of(outside), opens_m / 1e3, closes_m / 1e3, first_m / 1e3);
+      targets.size(), outside.size(), names_of(outside), outside.size() == 1 ? "s" : "", opens_m / 1e3, closes_m / 1e3,
+      first_m / 1e3);
 }
 
 }  // namespace
@@ -246,9 +255,7 @@ std::vector<std::string> recording_warnings(const radar::Radar& radar, const rad
         opens_m / 1e3, closes_m / 1e3, near_m / 1e3, far_m / 1e3, folded));
   }
   if (auto missed = targets_outside(radar, targets, opens_m, closes_m)) warnings.push_back(*std::move(missed));
-  const auto heard = places_heard(radar, area, terrain.height_at(area.centre()), calibrated);
-  if (auto folds = radar::doppler_that_folds(radar, radar::doppler_span(radar, heard)))
-    warnings.push_back(*std::move(folds));
+  if (auto folds = doppler_that_folds(radar, area, terrain, calibrated)) warnings.push_back(*std::move(folds));
   return warnings;
 }
 

@@ -39,8 +39,8 @@ namespace sigmascape::simulate {
 
 /// What whoever records pulses of this area should know: that what lies beside it is not in them (`phase_history`),
 /// where the half-power beam of a `calibrated` recording is wider, or a range gate that the radar states; which targets
-/// answer from outside the gate; and that Doppler folds, of the area or, where the beam is narrower in a `calibrated`
-/// recording, of what is within that.
+/// answer from outside the gate; and that Doppler folds at one range, of the area or, where the beam is narrower in a
+/// `calibrated` recording, of what is within that.
 [[nodiscard]] std::vector<std::string> recording_warnings(const radar::Radar& radar, const radar::Rectangle& area,
                                                           const terrain::HeightField& terrain, bool calibrated,
                                                           std::span<const radar::Target> targets = {});

@@ -76,8 +76,8 @@ Prepared prepared(const ModeRequest& request, const radar::CoherentPlan& plan) {
 }
 
 TargetsSeen targets_seen_in(const ModeRequest& request) {
-  return targets_seen(request.targets, request.radar, request.grid.extent(),
-                      {request.terrain, obstacles_of(request.atlas), radar::earth_of(request.radar)});
+  return targets_in_map(request.targets, request.radar, request.grid.extent(),
+                        {request.terrain, obstacles_of(request.atlas)});
 }
 
 }  // namespace

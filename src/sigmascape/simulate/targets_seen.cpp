@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <optional>
 
 #include "sigmascape/base/units.h"
 #include "sigmascape/radar/vantage.h"
@@ -20,12 +21,12 @@ std::string subject_of(std::span<const radar::Target* const> told, std::size_t a
   return fmt::format("of {} targets {} ({})", all, told.size(), names_of(told));
 }
 
-TargetsSeen told_of(std::span<const TargetInSight> targets, const radar::Rectangle& area) {
-  if (targets.empty()) return {};
+/// Of those within an area, or without one of all.
+TargetsSeen told_of(std::span<const TargetInSight> targets, const std::optional<radar::Rectangle>& area) {
   std::vector<const radar::Target*> within, hidden, weakened;
   double least_part = 1.0;
   for (const TargetInSight& sight : targets) {
-    if (!area.contains({sight.position.x, sight.position.y})) continue;
+    if (area && !area->contains({sight.position.x, sight.position.y})) continue;
     within.push_back(sight.target);
     if (!(sight.part_seen > 0.0)) {
       hidden.push_back(sight.target);
@@ -55,6 +56,14 @@ TargetsSeen told_of(std::span<const TargetInSight> targets, const radar::Rectang
   return told;
 }
 
+/// Each from where and when the radar looks at it.
+std::vector<TargetInSight> sights_of(std::span<const radar::Target> targets, const radar::Radar& radar,
+                                     const radar::Rectangle& area, const GroundOfTargets& ground) {
+  const Surroundings surroundings{ground.terrain, ground.obstacles, radar::earth_of(radar)};
+  return targets_in_sight(targets, radar::vantage_of(radar, area.centre()),
+                          [&](Vec3d from, Vec3d point) { return part_seen(surroundings, from, point); });
+}
+
 }  // namespace
 
 std::string names_of(std::span<const radar::Target* const> targets) {
@@ -69,16 +78,21 @@ std::string names_of(std::span<const radar::Target* const> targets) {
   return names;
 }
 
-TargetsSeen targets_seen(std::span<const radar::Target> targets, const radar::Radar& radar,
-                         const radar::Rectangle& area, const Surroundings& surroundings) {
-  return told_of(targets_in_sight(targets, radar::vantage_of(radar, area.centre()),
-                                  [&](Vec3d from, Vec3d point) { return part_seen(surroundings, from, point); }),
-                 area);
+TargetsSeen targets_in_map(std::span<const radar::Target> targets, const radar::Radar& radar,
+                           const radar::Rectangle& area, const GroundOfTargets& ground) {
+  if (targets.empty()) return {};
+  return told_of(sights_of(targets, radar, area, ground), area);
 }
 
-TargetsSeen targets_seen(const scene::Scene& scene, const trace::SceneGeometry& geometry,
-                         std::span<const radar::Target> targets, const radar::Radar& radar,
-                         const radar::Rectangle& area) {
+TargetsSeen targets_in_pulses(std::span<const radar::Target> targets, const radar::Radar& radar,
+                              const radar::Rectangle& area, const GroundOfTargets& ground) {
+  if (targets.empty()) return {};
+  return told_of(sights_of(targets, radar, area, ground), std::nullopt);
+}
+
+TargetsSeen targets_in_traced(const scene::Scene& scene, const trace::SceneGeometry& geometry,
+                              std::span<const radar::Target> targets, const radar::Radar& radar,
+                              const radar::Rectangle& area) {
   std::vector<radar::Target> all = targets_of(scene);
   all.insert(all.end(), targets.begin(), targets.end());
   if (all.empty()) return {};

@@ -207,6 +207,8 @@ std::size_t build_on_disk(const std::filesystem::path& folder, const PyramidHead
     const std::filesystem::path site = building_site(folder, heading);
     const std::size_t written = build_tiles_on_disk(site, heading, frame, finest);
     if (site != folder) move_pyramid(site, folder);
+    // Of heights that are no longer wanted.
+    std::filesystem::remove_all(folder / building_site_name);
     return written;
   } catch (const std::filesystem::filesystem_error& failure) {
     throw Error(failure.path1().string(), fmt::format("cannot be replaced ({})", failure.code().message()),

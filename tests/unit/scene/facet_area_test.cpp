@@ -45,12 +45,17 @@ TEST(FacetArea, APanelThatIsThereTwiceIsOneFace) {
 
 // The same, cut along the other diagonal on its back: front and back lie upon one another, and each is one face.
 TEST(FacetArea, APanelWhoseBackIsCutOtherwiseIsTwoFacesOfItsArea) {
-  Mesh panel;
-  const std::array<Vec3f, 4> front{{{0, 0, 0}, {2, 0, 0}, {2, 0, 3}, {0, 0, 3}}},
-      back{{{2, 0, 0}, {0, 0, 0}, {0, 0, 3}, {2, 0, 3}}};
-  append_facet(panel, front, 0);
-  append_facet(panel, back, 0);
-  for (const float area : facet_areas_m2(panel)) EXPECT_NEAR(area, 6.0F, 1e-4F);
+  for (const int quads : {1, 2, 3}) {
+    Mesh panel;
+    for (int i = 0; i < quads; ++i) {
+      const auto west = static_cast<float>(2 * i), east = west + 2.0F;
+      const std::array<Vec3f, 4> front{{{west, 0, 0}, {east, 0, 0}, {east, 0, 3}, {west, 0, 3}}},
+          back{{{east, 0, 0}, {west, 0, 0}, {west, 0, 3}, {east, 0, 3}}};
+      append_facet(panel, front, 0);
+      append_facet(panel, back, 0);
+    }
+    for (const float area : facet_areas_m2(panel)) EXPECT_NEAR(area, 6.0F * static_cast<float>(quads), 1e-4F) << quads;
+  }
 }
 
 /// Two walls of 3 m² that meet at a corner, bent by so much; the second wound the same way round or the other.

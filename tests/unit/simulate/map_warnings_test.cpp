@@ -204,7 +204,7 @@ TEST(RecordingWarnings, TellOfTargetsOutsideTheGate) {
   EXPECT_THAT(told({0.0, 0.0, 10.0}), IsEmpty());
   const Vec3d before = radar.position * 0.5;
   EXPECT_THAT(told(before),
-              ElementsAre(::testing::StartsWith("of 1 targets 1 (lone) answer from outside the range gate")));
+              ElementsAre(::testing::StartsWith("of 1 targets 1 (lone) answers from outside the range gate")));
   // An ambiguous range behind what is mapped.
   const Vec3d away = normalized(Vec3d{} - radar.position);
   EXPECT_THAT(told(away * radar::unambiguous_range_m(1000.0)), IsEmpty());

@@ -49,7 +49,7 @@ TEST(TargetsSeen, tells_which_are_hidden_and_which_fade) {
       .west_m = -500.0, .north_m = 500.0, .spacing_m = 10.0, .height_m = Array2D<float>(101, 101, 0.0F)};
   const radar::ObstacleMap obstacles = house_and_crown();
   const auto seen = [&](std::vector<radar::Target> targets) {
-    return targets_seen(targets, from_the_south(), area, {level, &obstacles});
+    return targets_in_map(targets, from_the_south(), area, {level, &obstacles});
   };
   const auto open = target_at("open", {0.0, 0.0}), behind = target_at("behind", {20.0, 60.0}),
              among = target_at("among", {-60.0, 60.0}), far = target_at("far", {0.0, 300.0});
@@ -70,6 +70,11 @@ TEST(TargetsSeen, tells_which_are_hidden_and_which_fade) {
               ElementsAre("of 4 targets 1 (behind) is hidden by ground or by what stands on it, and nothing of it is "
                           "seen",
                           "of 4 targets 1 (among) is behind crowns, which leave 4.4 dB less of it"));
+  // Pulses hold what stands beside the area too.
+  const TargetsSeen of_pulses =
+      targets_in_pulses(std::vector{open, behind, far}, from_the_south(), area, {level, &obstacles});
+  EXPECT_EQ(of_pulses.count, 2U);
+  EXPECT_THAT(of_pulses.warnings, ElementsAre(::testing::HasSubstr("of 3 targets 1 (behind) is hidden")));
   EXPECT_THAT(seen({behind, behind, open}).warnings,
               ElementsAre("of 3 targets 2 (behind and behind) are hidden by ground or by what stands on it, and "
                           "nothing of them is seen"));
@@ -98,7 +103,7 @@ TEST(TargetsSeen, of_a_traced_map_are_those_of_the_scene_too) {
       {.name = "reflector", .position = {0.0, 20.0}, .height_m = 1.0, .rcs_m2 = {1.0F, 1.0F, 0.0F, 1.0F}});
   const trace::SceneGeometry geometry(scene, trace::Footing::Terrain);
   const std::vector<radar::Target> added{target_at("added", {0.0, -60.0})};
-  const TargetsSeen seen = targets_seen(scene, geometry, added, from_the_south(), area);
+  const TargetsSeen seen = targets_in_traced(scene, geometry, added, from_the_south(), area);
   EXPECT_EQ(seen.count, 1U);
   EXPECT_THAT(seen.warnings, ElementsAre("of 2 targets 1 (reflector) is hidden by ground or by what stands on it, and "
                                          "nothing of it is seen"));
