@@ -17,9 +17,9 @@
 #include "sigmascape/geo/atomic_file.h"
 #include "sigmascape/product/attribution_line.h"
 #include "sigmascape/product/comparison_page.h"
-#include "sigmascape/product/ground_map_file.h"
 #include "sigmascape/product/json_text.h"
 #include "sigmascape/product/legend.h"
+#include "sigmascape/product/map_file.h"
 #include "sigmascape/product/png_file.h"
 #include "sigmascape/radar/radar_file.h"
 #include "sigmascape/radar/radar_warnings.h"
@@ -192,8 +192,8 @@ class Demo {
     product::write_png(folder_ / (view.name + "_difference.png"),
                        product::with_attribution(product::with_legend(product::difference_picture(
                            baked, traced, {.polarization = radar.polarization, .magnification = look.magnification}))));
-    product::write_ground_map(folder_ / (view.name + "_traced.tif"), traced);
-    product::write_ground_map(folder_ / (view.name + "_baked.tif"), baked);
+    product::write_map(folder_ / (view.name + "_traced.tif"), traced);
+    product::write_map(folder_ / (view.name + "_baked.tif"), baked);
   }
 
   const DemoOptions& options_;

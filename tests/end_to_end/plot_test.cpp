@@ -13,7 +13,7 @@
 #include "sigmascape/base/units.h"
 #include "sigmascape/geo/geo_raster.h"
 #include "sigmascape/geo/local_frame.h"
-#include "sigmascape/product/ground_map_file.h"
+#include "sigmascape/product/map_file.h"
 #include "sigmascape/product/npy_bytes.h"
 #include "sigmascape/radar/scatterer_lattice.h"
 #include "sigmascape/scatter/material.h"
@@ -124,7 +124,7 @@ TEST_F(Plots, HistogramsOfSpeckleFollowTheirDensities) {
       samples.push_back(amplitude.vv);
     }
   }
-  product::write_ground_map(folder_.path("map.tif"), map);
+  product::write_map(folder_.path("map.tif"), map);
   const std::array<std::size_t, 3> shape{side, side, 1};
   folder_.write("iq.npy", product::npy_bytes("<c8", shape, std::as_bytes(std::span(samples))));
 

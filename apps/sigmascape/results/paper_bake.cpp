@@ -9,6 +9,7 @@
 #include "sigmascape/base/processor_stopwatch.h"
 #include "sigmascape/base/units.h"
 #include "sigmascape/product/ground_map_file.h"
+#include "sigmascape/product/map_file.h"
 #include "sigmascape/scene/scene.h"
 #include "sigmascape/trace/simd_setting.h"
 
@@ -67,7 +68,7 @@ radar::GroundMap PaperBake::baked_or_kept(const radar::Aspect& aspect, std::uint
                        .metadata = {{bake_settings_key, settings}}};
   map.metadata[bake_seconds_key] = fmt::format("{:.3f}", watch.seconds());
   std::filesystem::create_directories(folder_);
-  product::write_ground_map(path, map);
+  product::write_map(path, map);
   return map;
 }
 

@@ -10,6 +10,7 @@
 #include "sigmascape/bake/bake_settings.h"
 #include "sigmascape/base/processor_stopwatch.h"
 #include "sigmascape/product/ground_map_file.h"
+#include "sigmascape/product/map_file.h"
 #include "sigmascape/simulate/placement.h"
 #include "sigmascape/simulate/simulate.h"
 #include "sigmascape/trace/simd_setting.h"
@@ -102,8 +103,8 @@ radar::GroundMap traced_or_kept(const MeasuredScene& measured, const PlannedView
   if (kept && samples_of(*kept) == view.traced_samples) return *std::move(kept);
   // A better map stays where it is.
   if (kept && samples_of(*kept) > view.traced_samples) return traced(measured, view, plan, view.traced_samples, seed);
-  product::write_ground_map(path, kept ? traced_on(*kept, measured, view, plan, seed)
-                                       : traced(measured, view, plan, view.traced_samples, seed));
+  product::write_map(path, kept ? traced_on(*kept, measured, view, plan, seed)
+                                : traced(measured, view, plan, view.traced_samples, seed));
   // Read back, so that a run that traces and one that finds the map hold the same.
   return product::read_ground_map(path);
 }

@@ -5,11 +5,6 @@
 #include "sigmascape/product/map_geotiff.h"
 
 namespace sigmascape::product {
-
-void write_ground_map(const std::filesystem::path& path, const radar::GroundMap& map, MapScale scale) {
-  write_map_geotiff(path, view_of(map), scale);
-}
-
 namespace {
 
 radar::GroundMap ground_map_of(MapContent content) {

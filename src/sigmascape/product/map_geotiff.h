@@ -10,7 +10,7 @@
 
 namespace sigmascape::product {
 
-/// Writes a map of either quantity as a cloud-optimised GeoTIFF: see write_ground_map and write_power_map.
+/// Writes a map of either quantity as a cloud-optimised GeoTIFF: see write_map.
 void write_map_geotiff(const std::filesystem::path& path, const MapView& map, MapScale scale);
 
 /// What such a file holds, linear; channels that it does not have are NaN.

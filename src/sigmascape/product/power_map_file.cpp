@@ -18,10 +18,6 @@ double number_of(const std::map<std::string, std::string>& metadata, const char*
 
 }  // namespace
 
-void write_power_map(const std::filesystem::path& path, const radar::PowerMap& map, MapScale scale) {
-  write_map_geotiff(path, view_of(map), scale);
-}
-
 radar::PowerMap read_power_map(const std::filesystem::path& path) {
   MapContent content = read_map_geotiff(path, power_quantity());
   return {.grid = content.grid,

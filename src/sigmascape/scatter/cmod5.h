@@ -1,7 +1,5 @@
 #pragma once
 
-#include "sigmascape/scatter/material.h"
-
 namespace sigmascape::scatter {
 
 /// Mean σ0 of the sea in C band, VV, by wind [Hersbach 2003, CMOD5]:
@@ -12,7 +10,5 @@ namespace sigmascape::scatter {
 /// blows and the direction to the radar: 0 upwind. Fitted to scatterometers for incidence from 15° to 60°. A formula
 /// for checks and for scenes of one look: it says nothing of HH and HV, so that no material is made of it.
 [[nodiscard]] double cmod5_sigma0(double wind_speed_mps, double wind_azimuth_rad, double incidence_rad);
-
-inline constexpr FrequencyRange cmod5_frequencies{5.2e9, 5.5e9};
 
 }  // namespace sigmascape::scatter

@@ -16,6 +16,7 @@
 #include "sigmascape/geo/geo_raster.h"
 #include "sigmascape/geo/local_frame.h"
 #include "sigmascape/product/described_map.h"
+#include "sigmascape/product/map_file.h"
 
 namespace sigmascape::product {
 namespace {
@@ -38,7 +39,7 @@ TEST(GroundMapFile, ReadsBackTheSameMap) {
   const ScratchFolder folder;
   const auto path = folder.path("map.tif");
   const radar::GroundMap written = rough_map();
-  write_ground_map(path, written);
+  write_map(path, written);
   const radar::GroundMap read = read_ground_map(path);
   EXPECT_EQ(read.grid, written.grid);
   EXPECT_EQ(read.crs, written.crs);
@@ -54,7 +55,7 @@ TEST(GroundMapFile, AFileThatAGisMovedOrNamedAnewKeepsItsOwnCrs) {
   const ScratchFolder folder;
   const auto path = folder.path("map.tif");
   for (const double moved_m : {1000.0, 0.0}) {
-    write_ground_map(path, rough_map());
+    write_map(path, rough_map());
     geo::GeoRaster raster = geo::read_geotiff(path);
     raster.placement.west_m += moved_m;
     raster.placement.crs = "EPSG:25830";
@@ -127,7 +128,7 @@ TEST(GroundMapFile, AMapThatDoesNotFitItsGridIsRefused) {
   map.grid.columns = 299;
   const ScratchFolder folder;
   const auto path = folder.path("map.tif");
-  EXPECT_THROW(write_ground_map(path, map), Error);
+  EXPECT_THROW(write_map(path, map), Error);
   EXPECT_FALSE(std::filesystem::exists(path));
 }
 
@@ -136,7 +137,7 @@ TEST(GroundMapFile, GdalinfoSeesBandsPlaceAndNodata) {
     GTEST_SKIP() << "gdalinfo (package gdal-bin) is not installed";
   const ScratchFolder folder;
   const auto path = folder.path("map.tif");
-  write_ground_map(path, rough_map());
+  write_map(path, rough_map());
   std::string info;
   std::FILE* pipe = popen(("gdalinfo '" + path.string() + "'").c_str(), "r");
   std::array<char, 4096> buffer{};
