@@ -34,33 +34,6 @@ radar::Rectangle with_what_lies_before(const radar::Rectangle& area, Vec3d radar
 
 }  // namespace
 
-struct FaceSight::Way {
-  Way(Vec3d from, Vec3d radar, const radar::CurvedEarth& earth)
-      : start(from), curvature_per_m(earth.curvature_per_m()) {
-    const Vec3d away = radar - from;
-    length_m = std::hypot(away.x, away.y);
-    rise = length_m > 0.0 ? away.z / length_m : std::numeric_limits<double>::infinity();
-    direction = length_m > 0.0 ? Vec2d{away.x / length_m, away.y / length_m} : Vec2d{};
-  }
-  /// The same line, moved aside, from where that place lies along it.
-  void go_on_beside(Vec2d offset) {
-    start = {start.x + offset.x, start.y + offset.y, height_at(dot(offset, direction))};
-  }
-  [[nodiscard]] Vec2d place_at(double d) const { return {start.x + direction.x * d, start.y + direction.y * d}; }
-  /// Between two points of the sea a straight line runs below it.
-  [[nodiscard]] double height_at(double d) const {
-    return start.z + d * rise - 0.5 * curvature_per_m * d * (length_m - d);
-  }
-  /// Whether it is above that height from there on.
-  [[nodiscard]] bool has_left(double height_m, double d) const {
-    return height_at(d) > height_m && rise >= 0.5 * curvature_per_m * (length_m - 2.0 * d);
-  }
-
-  Vec3d start;
-  double curvature_per_m, length_m, rise;
-  Vec2d direction;
-};
-
 FaceSight::FaceSight(const radar::ObstacleMap& obstacles, const terrain::HeightField& terrain,
                      const radar::Vantage& vantage, const radar::Rectangle& area, const radar::CurvedEarth& earth,
                      unsigned threads)
@@ -106,7 +79,7 @@ void FaceSight::find_crowns(const radar::Rectangle& about, unsigned threads) {
     highest_crown_m_ = std::max(highest_crown_m_, static_cast<double>(block_m));
 }
 
-FaceSight::Block FaceSight::block_at(const Way& way, double d) const {
+FaceSight::Block FaceSight::block_at(const radar::StraightSight& way, double d) const {
   const radar::GroundGrid& grid = obstacles_.grid;
   const double side_m = grid.cell_m * static_cast<double>(block_squares);
   const Vec2d place = way.place_at(d);
@@ -127,7 +100,7 @@ FaceSight::Block FaceSight::block_at(const Way& way, double d) const {
   return block;
 }
 
-bool FaceSight::is_hidden_at(const Way& way, double d, double doubt_m) const {
+bool FaceSight::is_hidden_at(const radar::StraightSight& way, double d, double doubt_m) const {
   const Vec2d under = way.place_at(d);
   const double above_m = way.height_at(d) - terrain_.height_at(under);
   return above_m < static_cast<double>(obstacles_.at(under).solid_top_m) - doubt_m || above_m + doubt_m <= 0.0;
@@ -135,7 +108,7 @@ bool FaceSight::is_hidden_at(const Way& way, double d, double doubt_m) const {
 
 double FaceSight::part_passed(Vec3d point, Vec3d normal, Vec3d radar) const {
   const double square_m = obstacles_.grid.cell_m;
-  Way way(point, radar, earth_);
+  radar::StraightSight way(point, radar, earth_);
   double looked_at_m = 0.0;  // from the start of the way, without the skyline
   if (normal.z < wall_normal_z) {
     // Houses stand on the lowest of their ground: what of a wall is below the ground.
@@ -162,7 +135,7 @@ double FaceSight::part_passed(Vec3d point, Vec3d normal, Vec3d radar) const {
   return is_over_crowns ? 1.0 : part_through_crowns(way);
 }
 
-double FaceSight::part_through_crowns(const Way& way) const {
+double FaceSight::part_through_crowns(const radar::StraightSight& way) const {
   const double square_m = obstacles_.grid.cell_m, half_fall_m = 0.5 * square_m * std::abs(way.rise);
   const double way_a_square_m = square_m * std::sqrt(1.0 + way.rise * way.rise);
   const double end_m = std::min(farthest_crowns_m, way.length_m);

@@ -7,6 +7,7 @@
 #include "sigmascape/radar/curved_earth.h"
 #include "sigmascape/radar/ground_grid.h"
 #include "sigmascape/radar/obstacle.h"
+#include "sigmascape/radar/straight_sight.h"
 #include "sigmascape/radar/vantage.h"
 #include "sigmascape/render/skyline.h"
 #include "sigmascape/terrain/height_field.h"
@@ -31,8 +32,6 @@ class FaceSight {
   [[nodiscard]] double part_passed(Vec3d point, Vec3d normal, Vec3d radar) const;
 
  private:
-  /// The way of a line of sight over the ground.
-  struct Way;
   /// Of a block of squares.
   struct Block {
     double top_m;  ///< no crown in it is higher
@@ -41,10 +40,10 @@ class FaceSight {
 
   void find_crowns(const radar::Rectangle& about, unsigned threads);
   /// Whether something solid that is known no better than to `doubt_m` hides the way there.
-  [[nodiscard]] bool is_hidden_at(const Way& way, double d, double doubt_m) const;
-  [[nodiscard]] double part_through_crowns(const Way& way) const;
+  [[nodiscard]] bool is_hidden_at(const radar::StraightSight& way, double d, double doubt_m) const;
+  [[nodiscard]] double part_through_crowns(const radar::StraightSight& way) const;
   /// The block over which a way runs there; one without crowns where none is known.
-  [[nodiscard]] Block block_at(const Way& way, double d) const;
+  [[nodiscard]] Block block_at(const radar::StraightSight& way, double d) const;
 
   const radar::ObstacleMap& obstacles_;
   const terrain::HeightField& terrain_;

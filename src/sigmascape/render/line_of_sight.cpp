@@ -1,21 +1,16 @@
 #include "sigmascape/render/line_of_sight.h"
 
-#include <cmath>
+#include "sigmascape/radar/straight_sight.h"
 
 namespace sigmascape::render {
 
 bool line_of_sight(const terrain::HeightField& terrain, double highest_m, Vec3d radar, Vec3d point,
                    const radar::CurvedEarth& earth) {
-  const Vec3d way = radar - point;
-  const double distance_m = std::hypot(way.x, way.y);
-  if (distance_m == 0.0) return true;
-  const double rise = way.z / distance_m;
-  const Vec2d direction{way.x / distance_m, way.y / distance_m};
-  for (double d = terrain.spacing_m; d < distance_m; d += terrain.spacing_m) {
-    // Between two points of the sea a straight line runs below it.
-    const double height_m = point.z + d * rise - 0.5 * earth.curvature_per_m() * d * (distance_m - d);
+  const radar::StraightSight sight(point, radar, earth);
+  for (double d = terrain.spacing_m; d < sight.length_m; d += terrain.spacing_m) {
+    const double height_m = sight.height_at(d);
     if (height_m > highest_m && earth.curvature_per_m() == 0.0) return true;
-    const Vec2d under = Vec2d{point.x, point.y} + direction * d;
+    const Vec2d under = sight.place_at(d);
     if (!terrain.extent().contains(under)) return true;
     if (terrain.height_at(under) > height_m) return false;
   }

@@ -5,6 +5,7 @@
 #include <variant>
 
 #include "sigmascape/atlas/ground_layers.h"
+#include "sigmascape/radar/straight_sight.h"
 #include "sigmascape/simulate/ground_met.h"
 #include "sigmascape/terrain/obstacle_sweep.h"
 #include "sigmascape/terrain/roof_doubt.h"
@@ -34,11 +35,9 @@ double part_seen(const Surroundings& surroundings, Vec3d radar_position, Vec3d p
   const auto& [terrain, obstacles, earth, highest_m] = surroundings;
   const Vec2d place{point.x, point.y};
   if (terrain.extent().contains(place)) point.z = std::max(point.z, terrain.height_at(place));
-  const Vec3d way = radar_position - point;
-  const double distance_m = std::hypot(way.x, way.y);
-  if (distance_m == 0.0) return 1.0;
-  const double rise = way.z / distance_m;
-  const Vec2d direction{way.x / distance_m, way.y / distance_m};
+  const radar::StraightSight sight(point, radar_position, earth);
+  if (sight.length_m == 0.0) return 1.0;
+  const double rise = sight.rise;
   const double step_m = obstacles != nullptr ? std::min(obstacles->grid.cell_m, terrain.spacing_m) : terrain.spacing_m;
   const auto depth_within = [rise](const radar::Obstacle& obstacle, double above_m, double length_m) {
     if (!(obstacle.crown_top_m > 0.0F)) return 0.0;
@@ -56,10 +55,10 @@ double part_seen(const Surroundings& surroundings, Vec3d radar_position, Vec3d p
     if (above_m < static_cast<double>(own.solid_top_m) - doubt_m) return 0.0;
     depth += depth_within(own, above_m + 0.25 * step_m * rise, 0.5 * step_m);
   }
-  for (double d = step_m; d < distance_m; d += step_m) {
-    const double height_m = point.z + d * rise - 0.5 * earth.curvature_per_m() * d * (distance_m - d);
+  for (double d = step_m; d < sight.length_m; d += step_m) {
+    const double height_m = sight.height_at(d);
     if (rise >= 0.0 && height_m > highest_m && earth.curvature_per_m() == 0.0) break;
-    const Vec2d under = place + direction * d;
+    const Vec2d under = sight.place_at(d);
     if (!terrain.extent().contains(under)) {
       if (terrain.extent().contains(place)) break;
       continue;
