@@ -10,6 +10,7 @@
 #include "sigmascape/geo/local_frame.h"
 #include "sigmascape/product/described_map.h"
 #include "sigmascape/product/ground_map_file.h"
+#include "sigmascape/product/map_file.h"
 #include "sigmascape/product/reprojection.h"
 
 namespace sigmascape::product {
