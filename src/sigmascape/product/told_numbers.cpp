@@ -8,10 +8,9 @@
 namespace sigmascape::product {
 
 std::map<std::string, double> numbers_taken_from(std::map<std::string, std::string>& words) {
-  constexpr std::array counted_or_measured{"bounces",      "dwell",   "mode_interval_s",
-                                           "pulse",        "targets", "samples_per_cell",
-                                           "targets_seen", "time_s",  "texture_frequency_hz",
-                                           "wind_mps"};
+  constexpr std::array counted_or_measured{
+      "bounces",      "dwell",  "mode_interval_s",      "pulse",   "targets", "samples_per_cell",
+      "targets_seen", "time_s", "texture_frequency_hz", "wind_mps"};
   constexpr double last_whole = 0x1p53;
   std::map<std::string, double> numbers;
   for (const char* key : counted_or_measured) {
