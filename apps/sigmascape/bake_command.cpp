@@ -126,9 +126,7 @@ void check_log(const std::string& log, const std::string& scene, const std::file
   std::error_code is_not_there;
   if (log.empty() || std::filesystem::is_other(log, is_not_there) || is_own_stream(log)) return;
   const std::string ending = file_ending(log);
-  const std::filesystem::path beside =
-      std::filesystem::weakly_canonical(log).lexically_relative(std::filesystem::weakly_canonical(folder));
-  if (!beside.empty() && *beside.begin() != ".." && (ending == ".json" || ending == ".tif")) {
+  if ((ending == ".json" || ending == ".tif") && lies_in(log, folder)) {
     throw Error("--json-log", fmt::format("names {}, in the folder of --out and by a name as an atlas may have", log),
                 "end it in .jsonl");
   }

@@ -15,15 +15,15 @@ namespace sigmascape::cli {
 namespace {
 
 void write_slant_image(const CoherentRequest& request, const simulate::ModeRequest& wanted,
-                       const radar::CoherentPlan& plan) {
-  const simulate::ModeImage image = simulate::mode_image(wanted, plan);
-  Provenance words = simulate::source_of(wanted);
+                       const simulate::ModePlan& planned) {
+  const simulate::ModeImage image = simulate::mode_image(wanted, planned.plan);
+  Provenance words = simulate::source_of(wanted, planned);
   words.insert(request.origin.begin(), request.origin.end());
   words["crs"] = request.scene.frame.proj();
   product::IqRecord record =
       std::visit([&](const auto& of) { return product::iq_record(of, request.radar, words); }, image);
   // What the image knows itself, as the interval of its pulses, is nearer to the truth than the plan.
-  record.numbers.merge(simulate::numbers_of_one_look(plan));
+  record.numbers.merge(simulate::numbers_of_one_look(planned.plan));
   product::write_iq(request.slant_file, record);
 }
 
@@ -43,8 +43,9 @@ CoherentMap coherent_map(const CoherentRequest& request) {
       .dwell = request.dwell,
       .moment_s = request.moment_s,
       .threads = request.threads};
-  const auto [plan, warnings] = simulate::mode_plan(wanted);
-  warn_of(request.radar, warnings);
+  const simulate::ModePlan planned = simulate::mode_plan(wanted);
+  const radar::CoherentPlan& plan = planned.plan;
+  warn_of(request.radar, planned.warnings);
   const Stopwatch watch;
   product::LooksOnGround looks(request.scene.terrain, request.grid, request.threads);
   simulate::mode_looks(wanted, plan, [&](const simulate::ModeImage& look) {
@@ -52,8 +53,8 @@ CoherentMap coherent_map(const CoherentRequest& request) {
   });
   CoherentMap made{.map = looks.map()};
   made.seconds = watch.seconds();
-  made.provenance = simulate::provenance_of(wanted, plan);
-  if (!request.slant_file.empty()) write_slant_image(request, wanted, plan);
+  made.provenance = simulate::provenance_of(wanted, planned);
+  if (!request.slant_file.empty()) write_slant_image(request, wanted, planned);
   made.cost = {{"mode", radar::mode_word(request.radar.mode)},
                {"interval_s", plan.interval_s},
                {"looks", plan.looks},

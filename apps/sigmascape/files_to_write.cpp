@@ -37,11 +37,18 @@ std::filesystem::path known_path(const std::filesystem::path& file) {
 bool is_of(const std::filesystem::path& file, const std::filesystem::path& other) {
   std::error_code ignored;
   if (!std::filesystem::is_directory(other, ignored)) return std::filesystem::equivalent(file, other, ignored);
-  const std::filesystem::path folder = std::filesystem::weakly_canonical(other, ignored), known = known_path(file);
-  return std::ranges::mismatch(folder, known).in1 == folder.end();
+  return lies_in(file, other);
 }
 
 }  // namespace
+
+bool lies_in(const std::filesystem::path& file, const std::filesystem::path& named) {
+  std::error_code ignored;
+  std::filesystem::path folder = std::filesystem::weakly_canonical(std::filesystem::absolute(named), ignored);
+  if (!folder.has_filename()) folder = folder.parent_path();  // one named with a slash at its end, not yet there
+  const std::filesystem::path known = known_path(file);
+  return std::ranges::mismatch(folder, known).in1 == folder.end();
+}
 
 void check_files_to_write(std::span<const NamedFile> files, const std::vector<std::filesystem::path>& read) {
   for (const auto& [option, file] : files) {

@@ -21,4 +21,7 @@ void check_files_to_write(std::span<const NamedFile> files, const std::vector<st
 /// The same of files that are added to where they are: whether they can be written is seen when they are opened.
 void check_files_apart(std::span<const NamedFile> files, const std::vector<std::filesystem::path>& read);
 
+/// Whether a file lies in a folder or below it, by links too; neither need be there yet.
+[[nodiscard]] bool lies_in(const std::filesystem::path& file, const std::filesystem::path& named);
+
 }  // namespace sigmascape::cli

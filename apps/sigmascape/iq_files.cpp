@@ -127,8 +127,8 @@ std::optional<RecordedPulses> write_iq_files(const IqFiles& files, const IqReque
   const simulate::CoherentScene scene{
       &request.scene.terrain, render::AtlasReflectivity{&textures, frequency_hz, level}, request.targets,
       request.radar.wind_mps > 0.0 ? simulate::windblown_of(request.scene) : simulate::Windblown{}};
-  const auto seen = simulate::targets_in_pulses(request.targets, request.radar, request.area,
-                                                {request.scene.terrain, simulate::obstacles_of(textures)});
+  const auto seen = simulate::targets_in_pulses(request.targets, request.radar, request.area, request.scene.terrain,
+                                                simulate::obstacles_of(textures));
   warn_of(request.radar, seen.warnings);
   Provenance words = words_of_pulses(files, request, frequency_hz);
   words["targets_seen"] = std::to_string(seen.count);

@@ -85,20 +85,13 @@ struct Rendered {
   std::optional<radar::ObstacleMap> obstacles = {};  ///< of the atlas, for the layers that are asked for
 };
 
-/// Says on standard error, and in what the files tell, what of its targets the map shows.
-void tell_of_targets(const radar::Radar& radar, const simulate::TargetsSeen& seen, Provenance& provenance) {
-  warn_of(radar, seen.warnings);
-  provenance["targets_seen"] = std::to_string(seen.count);
-}
-
 Rendered traced(const RenderOptions& options, const scene::Scene& scene, const radar::Radar& radar,
                 const radar::GroundGrid& grid) {
   const trace::SceneGeometry geometry(scene, trace::Footing::Terrain);
   simulate::TraceSettings settings = options.trace;
   settings.cell_m = grid.cell_m;
-  Provenance provenance = simulate::provenance_of_traced(settings, scene);
-  tell_of_targets(radar, simulate::targets_in_traced(scene, geometry, settings.targets, radar, grid.extent()),
-                  provenance);
+  const auto seen = simulate::targets_in_traced(scene, geometry, settings.targets, radar, grid.extent());
+  warn_of(radar, seen.warnings);
   trace::TraceCounts counts;
   TerminalProgress progress;
   const Stopwatch watch;
@@ -106,7 +99,7 @@ Rendered traced(const RenderOptions& options, const scene::Scene& scene, const r
                         simulate::traced_image(scene, geometry, radar, grid.extent(), settings, counts, &progress)};
   rendered.seconds = watch.seconds();
   rendered.cost = {{"paths", counts.paths}, {"rays", counts.rays}};
-  rendered.provenance = std::move(provenance);
+  rendered.provenance = simulate::provenance_of_traced(settings, scene, seen.count);
   return rendered;
 }
 
@@ -173,11 +166,11 @@ Rendered baked(const RenderOptions& options, const scene::Scene& scene, const at
   rendered.seconds = watch.seconds();
   rendered.obstacles = obstacles_for_layers(options, textures);
   rendered.cost = {{"ground_samples", counts.ground_samples}, {"visible", counts.visible}};
-  rendered.provenance =
-      simulate::provenance_of_baked(store.description(), radar, settings, options.trace.seed, options.trace.dwell);
-  tell_of_targets(
-      radar, simulate::targets_in_map(targets, radar, grid.extent(), {scene.terrain, simulate::obstacles_of(textures)}),
-      rendered.provenance);
+  const auto seen =
+      simulate::targets_in_map(targets, radar, grid.extent(), scene.terrain, simulate::obstacles_of(textures));
+  warn_of(radar, seen.warnings);
+  rendered.provenance = simulate::provenance_of_baked(store.description(), radar, settings, options.trace.seed,
+                                                      options.trace.dwell, seen.count);
   return rendered;
 }
 

@@ -126,7 +126,7 @@ Described<Signal> made(Maker<Signal> make, const Plan& plan_of, const LoadedAtla
     words["look_side"] = simulate::look_side(radar, area);
     if constexpr (!has_cells) simulate::tell_of_mode(radar, area, atlas.terrain(), words);
     const auto seen = (has_cells ? simulate::targets_in_map : simulate::targets_in_pulses)(
-        targets, radar, area, {atlas.terrain(), simulate::obstacles_of(atlas.textures())});
+        targets, radar, area, atlas.terrain(), simulate::obstacles_of(atlas.textures()));
     warn_of(radar, seen.warnings);
     words["targets"] = std::to_string(targets.size());
     words["targets_seen"] = std::to_string(seen.count);

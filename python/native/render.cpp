@@ -82,13 +82,6 @@ struct Wish {
   const std::vector<radar::Target>& targets;
 };
 
-/// Tells Python, and in the map's metadata, what of its targets the map shows.
-void tell_of_targets(const radar::Radar& radar, const simulate::TargetsSeen& seen,
-                     std::map<std::string, std::string>& provenance) {
-  warn_of(radar, seen.warnings);
-  provenance["targets_seen"] = std::to_string(seen.count);
-}
-
 Seen traced(const LoadedScene* scene, const Wish& wish, const simulate::TraceSettings& settings,
             ProgressListener& progress) {
   if (scene == nullptr) throw Error("scene", "is None at level of detail 0", "give the Scene that is to be traced");
@@ -96,15 +89,13 @@ Seen traced(const LoadedScene* scene, const Wish& wish, const simulate::TraceSet
     throw Error("lod", fmt::format("0 traces power alone, and {} needs amplitudes", radar::mode_word(wish.radar.mode)),
                 "give the atlas that bake() made, or set the radar's mode to 'real-beam'");
   }
-  auto provenance = simulate::provenance_of_traced(settings, scene->scene());
-  tell_of_targets(
-      wish.radar,
-      simulate::targets_in_traced(scene->scene(), scene->geometry(), settings.targets, wish.radar, wish.grid.extent()),
-      provenance);
+  const auto seen =
+      simulate::targets_in_traced(scene->scene(), scene->geometry(), settings.targets, wish.radar, wish.grid.extent());
+  warn_of(wish.radar, seen.warnings);
   trace::TraceCounts counts;
   auto image = simulate::traced_image(scene->scene(), scene->geometry(), wish.radar, wish.grid.extent(), settings,
                                       counts, &progress);
-  return {std::move(image), {}, std::move(provenance)};
+  return {std::move(image), {}, simulate::provenance_of_traced(settings, scene->scene(), seen.count)};
 }
 
 Seen coherent(const atlas::Atlas& textures, const Wish& wish, const LoadedScene* scene, int level_of_detail,
@@ -123,13 +114,13 @@ Seen coherent(const atlas::Atlas& textures, const Wish& wish, const LoadedScene*
                                       .dwell = effort.dwell,
                                       .moment_s = effort.time_s,
                                       .threads = effort.threads};
-  const auto [plan, warnings] = simulate::mode_plan(request);
-  warn_of(wish.radar, warnings);
+  const simulate::ModePlan planned = simulate::mode_plan(request);
+  warn_of(wish.radar, planned.warnings);
   product::LooksOnGround looks(*wish.ground.terrain, wish.grid, effort.threads);
-  simulate::mode_looks(request, plan, [&](const simulate::ModeImage& look) {
+  simulate::mode_looks(request, planned.plan, [&](const simulate::ModeImage& look) {
     std::visit([&](const auto& image) { looks.add(image); }, look);
   });
-  return {std::nullopt, looks.map(), simulate::provenance_of(request, plan)};
+  return {std::nullopt, looks.map(), simulate::provenance_of(request, planned)};
 }
 
 Seen baked(const LoadedAtlas* atlas, const Wish& wish, const render::RenderSettings& settings, const Effort& effort,
@@ -140,16 +131,16 @@ Seen baked(const LoadedAtlas* atlas, const Wish& wish, const render::RenderSetti
   }
   if (wish.radar.mode != radar::Mode::RealBeam)
     return coherent(atlas->textures(), wish, scene, settings.level_of_detail, effort);
-  auto provenance =
-      simulate::provenance_of_baked(atlas->description(), wish.radar, settings, effort.seed, effort.dwell);
-  tell_of_targets(wish.radar,
-                  simulate::targets_in_map(wish.targets, wish.radar, wish.grid.extent(),
-                                           {*wish.ground.terrain, simulate::obstacles_of(atlas->textures())}),
-                  provenance);
+  const auto seen = simulate::targets_in_map(wish.targets, wish.radar, wish.grid.extent(), *wish.ground.terrain,
+                                             simulate::obstacles_of(atlas->textures()));
+  warn_of(wish.radar, seen.warnings);
   render::RenderCounts counts;
   auto image = simulate::baked_image(atlas->textures(), *wish.ground.terrain, wish.radar, wish.grid.extent(), settings,
                                      counts, effort.dwell);
-  return {std::move(image), {}, std::move(provenance)};
+  return {
+      std::move(image),
+      {},
+      simulate::provenance_of_baked(atlas->description(), wish.radar, settings, effort.seed, effort.dwell, seen.count)};
 }
 
 /// Sees, and makes of it what `map_of(seen, wish)` does.

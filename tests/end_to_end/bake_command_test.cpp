@@ -156,6 +156,7 @@ TEST_F(BakeCommand, ALogIsAddedToNoFileButALog) {
   const std::string of_atlas = ", in the folder of --out and by a name as an atlas may have; end it in .jsonl";
   EXPECT_THAT(said_to_log("a", "a/collection.json"), HasSubstr("a/collection.json" + of_atlas));
   EXPECT_THAT(said_to_log("b", "b/terrain.tif"), HasSubstr("b/terrain.tif" + of_atlas));
+  EXPECT_THAT(said_to_log("b/", "b/terrain.tif"), HasSubstr("b/terrain.tif" + of_atlas));
   EXPECT_THAT(said_to_log("a", "a/ground/../buildings.json"), HasSubstr("buildings.json" + of_atlas));
   EXPECT_THAT(said_to_log("a", "a/patch_+000_+000/catalog.json"), HasSubstr("catalog.json" + of_atlas));
   EXPECT_THAT(said_to_log("a", "scene/notes.txt"), HasSubstr("notes.txt: holds something else"));

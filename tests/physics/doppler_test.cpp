@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "physics/even_window.h"
+#include "physics/transformed_pulses.h"
 #include "validation/validation_record.h"
 
 #include "sigmascape/base/units.h"
@@ -147,25 +148,6 @@ TEST(DopplerBeamSharpening, resolves_along_constant_range_by_the_angle_on_the_ma
   }
 }
 
-/// Power by which an image differs from a Fourier transform over pulses, term by term, over that of the transform.
-double difference(const radar::RangeDopplerImage& image, const radar::PhaseHistory& history) {
-  double error = 0.0, power = 0.0;
-  for (std::size_t row = 0; row < image.range_m.bins; ++row) {
-    for (std::size_t column = 0; column < image.doppler_hz.bins; ++column) {
-      const double frequency = image.doppler_hz.middle_of(static_cast<double>(column) + 0.5);
-      std::complex<double> sum;
-      for (std::size_t n = 0; n < history.pulses.size(); ++n) {
-        sum += std::complex<double>(history.samples(row, n).vv) *
-               std::polar(1.0, -2.0 * pi * frequency * history.pulses[n].time_s);
-      }
-      sum /= static_cast<double>(history.pulses.size());
-      error += std::norm(sum - std::complex<double>(image.amplitude_m(column, row).vv));
-      power += std::norm(sum);
-    }
-  }
-  return error / power;
-}
-
 /// 41 pulses about time zero, from 3 km, 20 km away at 60° of squint.
 struct ImageAndPulses {
   radar::Radar radar = even_band_radar(60.0);
@@ -190,7 +172,9 @@ struct ImageAndPulses {
                                        .repetition_hz = repetition_hz},
                                       points, targets);
     EXPECT_EQ(history.samples.columns(), image.amplitude_m.rows());
-    return difference(image, history);
+    return difference_from_transform(image, history, 1, [&](std::size_t row, std::size_t pulse) {
+      return std::complex<double>(history.samples(row, pulse).vv);
+    });
   }
 };
 

@@ -282,6 +282,12 @@ KeptGround ground_from(const sigmascape_ground* ground, const sigmascape_scene* 
       [traced = scene->scene](sigmascape::Vec2d place) { return traced->scene.terrain.height_at(place); });
 }
 
+sigmascape_receiver* receiver_of(const sigmascape::radar::Radar& radar, sigmascape_polarization polarization,
+                                 const sigmascape_ground* ground, const sigmascape_scene* scene, unsigned threads) {
+  return new sigmascape_receiver{
+      .receiver = {radar, polarization_from(polarization), ground_from(ground, scene), threads}};
+}
+
 /// Draws with whichever drawer the renderer has.
 template <typename Draw>
 const sigmascape::live::Frame& drawn(sigmascape_renderer& renderer, Draw draw) {
@@ -519,8 +525,7 @@ sigmascape_receiver* sigmascape_make_receiver(const char* radar_file, enum sigma
   return guarded<sigmascape_receiver*>(nullptr, [&] {
     (void)given(radar_file, "radar_file");
     const auto read = sigmascape::radar::read_radar_file(radar_file, sigmascape::radar::PlaceOfRadar::Optional);
-    return new sigmascape_receiver{
-        .receiver = {read.radar, polarization_from(polarization), ground_from(ground, scene), threads}};
+    return receiver_of(read.radar, polarization, ground, scene, threads);
   });
 }
 
@@ -533,8 +538,7 @@ sigmascape_receiver* sigmascape_make_receiver_of_text(const char* radar_text, co
     const std::filesystem::path there = folder != nullptr ? folder : "";
     const auto read =
         sigmascape::radar::read_radar_text(radar_text, there / "radar_text", sigmascape::radar::PlaceOfRadar::Optional);
-    return new sigmascape_receiver{
-        .receiver = {read.radar, polarization_from(polarization), ground_from(ground, scene), threads}};
+    return receiver_of(read.radar, polarization, ground, scene, threads);
   });
 }
 

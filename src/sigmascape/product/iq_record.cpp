@@ -11,7 +11,7 @@
 #include "sigmascape/product/told_numbers.h"
 #include "sigmascape/radar/noise.h"
 #include "sigmascape/radar/radar_equation.h"
-#include "sigmascape/radar/window_response.h"
+#include "sigmascape/radar/range_cell.h"
 
 namespace sigmascape::product {
 namespace {
@@ -148,8 +148,7 @@ IqRecord iq_record(const radar::PhaseHistory& history, const radar::Radar& radar
                   {"interval_s", static_cast<double>(history.pulses.size()) / radar.waveform.pulse_repetition_hz},
                   {"first_range_m", history.first_range_m},
                   {"range_step_m", history.range_step_m},
-                  {"range_cell_m", speed_of_light_mps / (2.0 * history.bandwidth_hz) *
-                                       radar::WindowResponse(radar.waveform.window).noise_bandwidth()}},
+                  {"range_cell_m", radar::range_cell_m(history.bandwidth_hz, radar.waveform.window)}},
       .words = std::move(words)};
   for (const radar::Pulse& pulse : history.pulses) {
     record.slow.values.push_back(pulse.time_s);

@@ -9,7 +9,7 @@
 #include "sigmascape/base/error.h"
 #include "sigmascape/base/parallel.h"
 #include "sigmascape/base/units.h"
-#include "sigmascape/radar/window_response.h"
+#include "sigmascape/radar/range_cell.h"
 #include "sigmascape/receiver/carrier_phase.h"
 #include "sigmascape/receiver/smear.h"
 
@@ -62,8 +62,7 @@ DopplerImager::DopplerImager(const radar::Radar& radar, const radar::Track& plat
   const double centre_hz =
       radar::doppler_hz(radar::range_rate_mps(frame_.platform, {aim}), wavelength_m(radar.frequency_hz));
   frame_.doppler_hz = {centre_hz - static_cast<double>(middle_bin) * step_hz, step_hz, bins};
-  frame_.range_cell_m =
-      speed_of_light_mps / (2.0 * range_.bandwidth_hz) * radar::WindowResponse(radar.waveform.window).noise_bandwidth();
+  frame_.range_cell_m = radar::range_cell_m(range_.bandwidth_hz, radar.waveform.window);
   frame_.doppler_cell_hz = radar::noise_bandwidth(interval.window, interval.pulses) / frame_.interval_s;
   frame_.range_m = {range_.start_m + static_cast<double>(range_.guard) * range_.step_m, range_.step_m, range_.samples};
 }

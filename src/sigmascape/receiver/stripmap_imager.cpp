@@ -11,6 +11,7 @@
 #include "sigmascape/base/hash.h"
 #include "sigmascape/base/parallel.h"
 #include "sigmascape/base/units.h"
+#include "sigmascape/radar/range_cell.h"
 #include "sigmascape/radar/window_response.h"
 #include "sigmascape/receiver/carrier_phase.h"
 
@@ -90,8 +91,7 @@ StripmapImager::StripmapImager(const radar::Radar& radar, const radar::Motion& p
   frame_.frequency_hz = radar.frequency_hz;
   frame_.along_m = image_axis(along_);
   frame_.closest_range_m = image_axis(range_);
-  frame_.closest_range_cell_m =
-      speed_of_light_mps / (2.0 * range_.bandwidth_hz) * radar::WindowResponse(radar.waveform.window).noise_bandwidth();
+  frame_.closest_range_cell_m = radar::range_cell_m(range_.bandwidth_hz, radar.waveform.window);
   frame_.along_cell_m = radar::WindowResponse(strip.window).noise_bandwidth() / band_per_m(strip);
   const double band_hz = band_per_m_ * speed_mps_;
   if (band_hz > repetition_hz_ * (1.0 + 1e-9)) {

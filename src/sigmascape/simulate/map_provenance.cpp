@@ -4,23 +4,26 @@
 
 namespace sigmascape::simulate {
 
-std::map<std::string, std::string> provenance_of_traced(const TraceSettings& settings, const scene::Scene& scene) {
+std::map<std::string, std::string> provenance_of_traced(const TraceSettings& settings, const scene::Scene& scene,
+                                                        std::size_t targets_seen) {
   return {{"processing", "level of detail 0: path-traced"},
           {"seed", std::to_string(settings.seed)},
           {"dwell", std::to_string(settings.dwell)},
           {"samples_per_cell", std::to_string(settings.samples_per_cell)},
           {"bounces", std::to_string(settings.max_bounces)},
-          {"targets", std::to_string(scene.point_targets.size() + settings.targets.size())}};
+          {"targets", std::to_string(scene.point_targets.size() + settings.targets.size())},
+          {"targets_seen", std::to_string(targets_seen)}};
 }
 
 std::map<std::string, std::string> provenance_of_baked(const atlas::AtlasDescription& atlas, const radar::Radar& radar,
                                                        const render::RenderSettings& settings, std::uint64_t seed,
-                                                       std::uint64_t dwell) {
+                                                       std::uint64_t dwell, std::size_t targets_seen) {
   std::map<std::string, std::string> words{
       {"processing", fmt::format("level of detail {}: from terrain and atlas", settings.level_of_detail)},
       {"seed", std::to_string(seed)},
       {"dwell", std::to_string(dwell)},
-      {"targets", std::to_string(settings.targets.size())}};
+      {"targets", std::to_string(settings.targets.size())},
+      {"targets_seen", std::to_string(targets_seen)}};
   tell_of_textures(atlas, radar, settings.texture_frequency_hz.value_or(radar.frequency_hz), words);
   return words;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <iterator>
 
 #include "sigmascape/base/units.h"
 #include "sigmascape/radar/azimuth_text.h"
@@ -75,11 +76,6 @@ Prepared prepared(const ModeRequest& request, const radar::CoherentPlan& plan) {
           .area = answering_area(radar, plan, request.grid.extent(), middle_of(request.grid, request.terrain).z)};
 }
 
-TargetsSeen targets_seen_in(const ModeRequest& request) {
-  return targets_in_map(request.targets, request.radar, request.grid.extent(),
-                        {request.terrain, obstacles_of(request.atlas)});
-}
-
 }  // namespace
 
 radar::Rectangle answering_area(const radar::Radar& radar, const radar::CoherentPlan& plan, const radar::Rectangle& map,
@@ -97,8 +93,10 @@ ModePlan mode_plan(const ModeRequest& request) {
   if (auto warning =
           radar::narrower_than_cells("the image across range", planned.plan.along_resolution_m, request.grid.cell_m))
     planned.warnings.push_back(*std::move(warning));
-  const auto of_targets = targets_seen_in(request).warnings;
-  planned.warnings.insert(planned.warnings.end(), of_targets.begin(), of_targets.end());
+  TargetsSeen seen = targets_in_map(request.targets, request.radar, request.grid.extent(), request.terrain,
+                                    obstacles_of(request.atlas));
+  std::ranges::move(seen.warnings, std::back_inserter(planned.warnings));
+  planned.targets_seen = seen.count;
   return planned;
 }
 
@@ -118,7 +116,7 @@ ModeImage mode_image(const ModeRequest& request, const radar::CoherentPlan& plan
   return range_doppler_image(ready.scene, request.radar, ready.area, ready.settings);
 }
 
-std::map<std::string, std::string> source_of(const ModeRequest& request) {
+std::map<std::string, std::string> source_of(const ModeRequest& request, const ModePlan& planned) {
   std::map<std::string, std::string> words{
       {"processing", fmt::format("level of detail {}: coherent, from terrain and atlas", request.level_of_detail)},
       {"mode", std::string(radar::mode_word(request.radar.mode))},
@@ -127,7 +125,7 @@ std::map<std::string, std::string> source_of(const ModeRequest& request) {
       {"thermal_noise", request.radar.processing.thermal_noise ? "in it" : "none"},
       {"wind_mps", fmt::format("{:g}", request.windblown ? request.radar.wind_mps : 0.0)},
       {"targets", std::to_string(request.targets.size())},
-      {"targets_seen", std::to_string(targets_seen_in(request).count)},
+      {"targets_seen", std::to_string(planned.targets_seen)},
       {"seed", std::to_string(request.seed)},
       {"dwell", std::to_string(request.dwell)}};
   tell_of_frequency(request.radar, request.texture_frequency_hz, words);
@@ -141,8 +139,9 @@ std::map<std::string, double> numbers_of_one_look(const radar::CoherentPlan& pla
           {"angle_off_course_deg", deg_from_radians(plan.squint_rad)}};
 }
 
-std::map<std::string, std::string> provenance_of(const ModeRequest& request, const radar::CoherentPlan& plan) {
-  std::map<std::string, std::string> words = source_of(request);
+std::map<std::string, std::string> provenance_of(const ModeRequest& request, const ModePlan& planned) {
+  const radar::CoherentPlan& plan = planned.plan;
+  std::map<std::string, std::string> words = source_of(request, planned);
   words["interval_s"] = fmt::format("{:.6g}", plan.interval_s);
   words["looks"] = std::to_string(plan.looks);
   words["along_resolution_m"] = fmt::format("{:.4g}", plan.along_resolution_m);

@@ -35,6 +35,7 @@ struct ModeRequest {
 struct ModePlan {
   radar::CoherentPlan plan;
   std::vector<std::string> warnings;  ///< sentences for the user
+  std::size_t targets_seen = 0;       ///< TargetsSeen::count of the map
 };
 
 /// Throws Error as coherent_plan does.
@@ -58,7 +59,7 @@ void mode_looks(const ModeRequest& request, const radar::CoherentPlan& plan,
 
 /// Where what is made of the request comes from, in words that go for its map and for its complex image alike:
 /// processing, mode, side of the course, what was left in, wind, targets, seed, dwell.
-[[nodiscard]] std::map<std::string, std::string> source_of(const ModeRequest& request);
+[[nodiscard]] std::map<std::string, std::string> source_of(const ModeRequest& request, const ModePlan& planned);
 
 /// What the plan comes to in the complex image, which is one look of all pulses and sharper than the map of several by
 /// their number: interval, looks, half-power width across range, angle off the course; units in the names.
@@ -66,7 +67,6 @@ void mode_looks(const ModeRequest& request, const radar::CoherentPlan& plan,
 
 /// Where a map of it comes from: the source, and interval, looks, resolution and angle off the course of the finished
 /// map; of one that keeps the antenna's pattern also where the beam points, unless that passes over every place.
-[[nodiscard]] std::map<std::string, std::string> provenance_of(const ModeRequest& request,
-                                                               const radar::CoherentPlan& plan);
+[[nodiscard]] std::map<std::string, std::string> provenance_of(const ModeRequest& request, const ModePlan& planned);
 
 }  // namespace sigmascape::simulate

@@ -58,8 +58,9 @@ TargetsSeen told_of(std::span<const TargetInSight> targets, const std::optional<
 
 /// Each from where and when the radar looks at it.
 std::vector<TargetInSight> sights_of(std::span<const radar::Target> targets, const radar::Radar& radar,
-                                     const radar::Rectangle& area, const GroundOfTargets& ground) {
-  const Surroundings surroundings{ground.terrain, ground.obstacles, radar::earth_of(radar)};
+                                     const radar::Rectangle& area, const terrain::HeightField& terrain,
+                                     const radar::ObstacleMap* obstacles) {
+  const Surroundings surroundings{terrain, obstacles, radar::earth_of(radar)};
   return targets_in_sight(targets, radar::vantage_of(radar, area.centre()),
                           [&](Vec3d from, Vec3d point) { return part_seen(surroundings, from, point); });
 }
@@ -79,15 +80,17 @@ std::string names_of(std::span<const radar::Target* const> targets) {
 }
 
 TargetsSeen targets_in_map(std::span<const radar::Target> targets, const radar::Radar& radar,
-                           const radar::Rectangle& area, const GroundOfTargets& ground) {
+                           const radar::Rectangle& area, const terrain::HeightField& terrain,
+                           const radar::ObstacleMap* obstacles) {
   if (targets.empty()) return {};
-  return told_of(sights_of(targets, radar, area, ground), area);
+  return told_of(sights_of(targets, radar, area, terrain, obstacles), area);
 }
 
 TargetsSeen targets_in_pulses(std::span<const radar::Target> targets, const radar::Radar& radar,
-                              const radar::Rectangle& area, const GroundOfTargets& ground) {
+                              const radar::Rectangle& area, const terrain::HeightField& terrain,
+                              const radar::ObstacleMap* obstacles) {
   if (targets.empty()) return {};
-  return told_of(sights_of(targets, radar, area, ground), std::nullopt);
+  return told_of(sights_of(targets, radar, area, terrain, obstacles), std::nullopt);
 }
 
 TargetsSeen targets_in_traced(const scene::Scene& scene, const trace::SceneGeometry& geometry,

@@ -22,19 +22,16 @@ struct TargetsSeen {
   std::vector<std::string> warnings;
 };
 
-/// What lies between targets and the radar where there are only terrain and an atlas; see Surroundings.
-struct GroundOfTargets {
-  const terrain::HeightField& terrain;
-  const radar::ObstacleMap* obstacles = nullptr;
-};
-
-/// Of a map of an area, each target from where and when the radar looks at it.
+/// Of a map of an area from terrain and an atlas, each target from where and when the radar looks at it. `obstacles`:
+/// of an atlas that keeps them apart, else null.
 [[nodiscard]] TargetsSeen targets_in_map(std::span<const radar::Target> targets, const radar::Radar& radar,
-                                         const radar::Rectangle& area, const GroundOfTargets& ground);
+                                         const radar::Rectangle& area, const terrain::HeightField& terrain,
+                                         const radar::ObstacleMap* obstacles);
 
 /// Of pulses of it, which hold the echoes of targets wherever they stand.
 [[nodiscard]] TargetsSeen targets_in_pulses(std::span<const radar::Target> targets, const radar::Radar& radar,
-                                            const radar::Rectangle& area, const GroundOfTargets& ground);
+                                            const radar::Rectangle& area, const terrain::HeightField& terrain,
+                                            const radar::ObstacleMap* obstacles);
 
 /// Of a traced map: the targets of the scene and these.
 [[nodiscard]] TargetsSeen targets_in_traced(const scene::Scene& scene, const trace::SceneGeometry& geometry,

@@ -17,7 +17,7 @@ using ::testing::IsEmpty;
 
 constexpr radar::Rectangle area{-200.0, -200.0, 200.0, 200.0};
 
-radar::Target target_at(const std::string& name, Vec2d place) {
+radar::Target named_target(const std::string& name, Vec2d place) {
   radar::Target target;
   target.name = name;
   target.track = radar::Track::straight({place.x, place.y, 1.0});
@@ -49,10 +49,10 @@ TEST(TargetsSeen, tells_which_are_hidden_and_which_fade) {
       .west_m = -500.0, .north_m = 500.0, .spacing_m = 10.0, .height_m = Array2D<float>(101, 101, 0.0F)};
   const radar::ObstacleMap obstacles = house_and_crown();
   const auto seen = [&](std::vector<radar::Target> targets) {
-    return targets_in_map(targets, from_the_south(), area, {level, &obstacles});
+    return targets_in_map(targets, from_the_south(), area, level, &obstacles);
   };
-  const auto open = target_at("open", {0.0, 0.0}), behind = target_at("behind", {20.0, 60.0}),
-             among = target_at("among", {-60.0, 60.0}), far = target_at("far", {0.0, 300.0});
+  const auto open = named_target("open", {0.0, 0.0}), behind = named_target("behind", {20.0, 60.0}),
+             among = named_target("among", {-60.0, 60.0}), far = named_target("far", {0.0, 300.0});
 
   EXPECT_EQ(seen({open}).count, 1U);
   EXPECT_THAT(seen({open, far}).warnings, IsEmpty());
@@ -72,7 +72,7 @@ TEST(TargetsSeen, tells_which_are_hidden_and_which_fade) {
                           "of 4 targets 1 (among) is behind crowns, which leave 4.4 dB less of it"));
   // Pulses hold what stands beside the area too.
   const TargetsSeen of_pulses =
-      targets_in_pulses(std::vector{open, behind, far}, from_the_south(), area, {level, &obstacles});
+      targets_in_pulses(std::vector{open, behind, far}, from_the_south(), area, level, &obstacles);
   EXPECT_EQ(of_pulses.count, 2U);
   EXPECT_THAT(of_pulses.warnings, ElementsAre(::testing::HasSubstr("of 3 targets 1 (behind) is hidden")));
   EXPECT_THAT(seen({behind, behind, open}).warnings,
@@ -82,7 +82,7 @@ TEST(TargetsSeen, tells_which_are_hidden_and_which_fade) {
 
 TEST(TargetsSeen, names_a_few_of_many) {
   std::vector<radar::Target> targets;
-  for (const char* name : {"a", "b", "c", "d", "e"}) targets.push_back(target_at(name, {}));
+  for (const char* name : {"a", "b", "c", "d", "e"}) targets.push_back(named_target(name, {}));
   std::vector<const radar::Target*> told;
   const auto with = [&](std::size_t index) {
     told.push_back(&targets[index]);
@@ -102,7 +102,7 @@ TEST(TargetsSeen, of_a_traced_map_are_those_of_the_scene_too) {
   scene.point_targets.push_back(
       {.name = "reflector", .position = {0.0, 20.0}, .height_m = 1.0, .rcs_m2 = {1.0F, 1.0F, 0.0F, 1.0F}});
   const trace::SceneGeometry geometry(scene, trace::Footing::Terrain);
-  const std::vector<radar::Target> added{target_at("added", {0.0, -60.0})};
+  const std::vector<radar::Target> added{named_target("added", {0.0, -60.0})};
   const TargetsSeen seen = targets_in_traced(scene, geometry, added, from_the_south(), area);
   EXPECT_EQ(seen.count, 1U);
   EXPECT_THAT(seen.warnings, ElementsAre("of 2 targets 1 (reflector) is hidden by ground or by what stands on it, and "
