@@ -56,8 +56,9 @@ results: packages-build ## Measure as docs/results was, on real places too, and 
 	$(measure) --scene examples/san_francisco/san_francisco.toml $(RESULTS_SAN_FRANCISCO) --out out/results/san_francisco --page docs/results/san_francisco/README.md
 	$(measure) $(RESULTS_PAPER) --out out/results/paper --page docs/results/README.md # from what is kept, for its table of all scenes
 
+# Benchmarks are built with them, lest they cease to compile unnoticed.
 test: packages ## Build and run the tests
-	$(call configure,release)
+	$(call configure,release,ON)
 	$(call build,release)
 	$(call run_tests,release) --no-tests=error --label-exclude '^long$$'
 

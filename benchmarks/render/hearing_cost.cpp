@@ -15,7 +15,7 @@ namespace sigmascape::bench {
 namespace {
 
 constexpr auto polarization = radar::Polarization::VV;
-constexpr std::size_t beams_a_step = 8;
+constexpr std::size_t beams_heard = 8;
 
 /// Lowers `least` to what `work` takes.
 template <typename Work>
@@ -66,9 +66,9 @@ HearingCost hearing_cost(const std::shared_ptr<live::LiveGround>& ground, const 
   };
   for (int run = 0; run < repetitions; ++run) {
     hear(cost.frame, 0, frame.grid.azimuths);
-    hear(cost.step, beams_a_step, beams_a_step);
+    hear(cost.step, beams_heard, beams_heard);
     place.x += 1.0;
-    hear(cost.moved_step, beams_a_step, beams_a_step);
+    hear(cost.moved_step, beams_heard, beams_heard);
     hear(cost.moved_frame, 0, frame.grid.azimuths);
   }
   return cost;

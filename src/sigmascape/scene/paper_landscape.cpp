@@ -5,6 +5,7 @@
 
 #include "sigmascape/base/hash.h"
 #include "sigmascape/base/interruption.h"
+#include "sigmascape/base/parallel.h"
 #include "sigmascape/scene/value_noise.h"
 
 namespace sigmascape::scene {
@@ -23,18 +24,23 @@ terrain::HeightField empty_field(const PaperSceneSize& size) {
           .height_m = Array2D<float>(size.height_nodes, size.height_nodes)};
 }
 
+/// Calls `body` for every row below `rows`, several at a time.
+template <typename Body>
+void for_each_row(std::size_t rows, const Body& body) {
+  parallel_for(rows, thread_count(0), [&](std::size_t row, unsigned) { body(row); });
+}
+
 /// Fills a field node by node from a function of the place.
 template <typename Function>
 terrain::HeightField field_of(const PaperSceneSize& size, const Function& function) {
   terrain::HeightField field = empty_field(size);
-  for (std::size_t row = 0; row < size.height_nodes; ++row) {
-    Interruption::heed();
+  for_each_row(size.height_nodes, [&](std::size_t row) {
     for (std::size_t column = 0; column < size.height_nodes; ++column) {
       const Vec2d p{field.west_m + field.spacing_m * static_cast<double>(column),
                     field.north_m - field.spacing_m * static_cast<double>(row)};
       field.height_m(column, row) = static_cast<float>(function(p));
     }
-  }
+  });
   return field;
 }
 
@@ -148,8 +154,7 @@ void paint_tracks(PaperLandscape& landscape, const PaperLayout& layout) {
 void paint_forest_and_water(PaintedGround& ground, const terrain::HeightField& shore,
                             const terrain::HeightField& fitness, double threshold) {
   constexpr double beach_m = 2.0;
-  for (std::size_t row = 0; row < ground.grid().rows; ++row) {
-    Interruption::heed();
+  for_each_row(ground.grid().rows, [&](std::size_t row) {
     for (std::size_t column = 0; column < ground.grid().columns; ++column) {
       const Vec2d p = ground.grid().centre_of(column, row);
       const double inland = shore.height_at(p);
@@ -166,7 +171,7 @@ void paint_forest_and_water(PaintedGround& ground, const terrain::HeightField& s
           ground.set(column, row, GroundClass::Grass);
       }
     }
-  }
+  });
 }
 
 void paint_roads(PaintedGround& ground, const PaperLayout& layout, double node_spacing_m) {
