@@ -46,7 +46,7 @@ double mapped_m2(const radar::Radar& radar, Vec2d offset_m, Vec2d bins_shift) {
   receiver::RangeAzimuthReceiver receiver(radar, bins);
   const Vec3d away{range_m + offset_m.x, offset_m.y, 0.0};
   const std::vector<radar::Echo> point{
-      {.range_m = length(away), .cross = std::atan2(away.x, away.y), .rcs_m2 = {1.0F, 1.0F, 0.0F, 1.0F}, .bounces = 1}};
+      {.range_m = length(away), .cross = azimuth_of(away), .rcs_m2 = {1.0F, 1.0F, 0.0F, 1.0F}, .bounces = 1}};
   receiver.add(point);
   auto image = receiver.image();
   image.radar_position = radar.position;

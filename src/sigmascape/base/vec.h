@@ -64,6 +64,16 @@ template <typename T>
   return a * (T{1} / length(a));
 }
 
+/// The direction of a vector on the level, clockwise from north, from −π to π.
+template <typename T>
+[[nodiscard]] T azimuth_of(Vec2<T> way) {
+  return std::atan2(way.x, way.y);
+}
+template <typename T>
+[[nodiscard]] T azimuth_of(Vec3<T> way) {
+  return std::atan2(way.x, way.y);
+}
+
 using Vec2d = Vec2<double>;
 using Vec2f = Vec2<float>;
 using Vec3d = Vec3<double>;

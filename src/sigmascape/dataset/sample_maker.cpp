@@ -202,7 +202,7 @@ Sample SampleMaker::make(std::size_t index) const {
   sample.radar_position = radar.position;
   const Vec3d to_radar = radar.position - middle_of(plan, scene_.terrain);
   sample.slant_range_m = length(to_radar);
-  sample.aspect = {wrapped_azimuth(std::atan2(to_radar.x, to_radar.y)), std::asin(to_radar.z / sample.slant_range_m)};
+  sample.aspect = {wrapped_azimuth(azimuth_of(to_radar)), std::asin(to_radar.z / sample.slant_range_m)};
 
   std::vector<radar::Layer> bounces;
   const auto image = ground_image(radar, plan, bounces);

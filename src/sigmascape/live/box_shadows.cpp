@@ -59,8 +59,7 @@ std::optional<BoxShadow> shadow_of(const radar::Target& target, double time_s, c
   const Vec2d towards = distance_m > 0.0 ? away * (1.0 / distance_m) : Vec2d{0.0, 1.0};
   // Azimuths are counted from the middle of the frame, so that none is more than half a turn away.
   const double half_frame_rad = 0.5 * static_cast<double>(view.beams) * view.beam_step_rad;
-  const double azimuth =
-      wrapped_azimuth(std::atan2(away.x, away.y) - view.first_azimuth_rad - half_frame_rad + pi) - pi;
+  const double azimuth = wrapped_azimuth(azimuth_of(away) - view.first_azimuth_rad - half_frame_rad + pi) - pi;
   const double beam = (azimuth + half_frame_rad) / view.beam_step_rad;
   const double half_beams =
       (near_m > half_m ? std::atan2(half_m, near_m) : pi) / view.beam_step_rad + view.beams_beside + spare_beams;

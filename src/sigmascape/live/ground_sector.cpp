@@ -27,8 +27,7 @@ bool GroundSector::may_meet(const radar::Rectangle& square) const {
   if (distance_m + radius_m < near_m || distance_m - radius_m > far_m) return false;
   if (distance_m <= radius_m) return true;
   const double half_width = 0.5 * width_rad + std::asin(radius_m / distance_m);
-  const double off_middle =
-      wrapped_azimuth(std::atan2(middle.x, middle.y) - first_azimuth_rad - 0.5 * width_rad + pi) - pi;
+  const double off_middle = wrapped_azimuth(azimuth_of(middle) - first_azimuth_rad - 0.5 * width_rad + pi) - pi;
   return std::abs(off_middle) <= half_width;
 }
 

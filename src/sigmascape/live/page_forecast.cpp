@@ -41,7 +41,7 @@ class Forecast {
   void add_aspect(const atlas::TileAddress& tile, Vec2d point) {
     const auto cotangent = static_cast<float>(length(point) / below_m_);
     const atlas::AspectCells& aspects = source_.aspects();
-    add({tile, {aspects.azimuth_cell(std::atan2(point.x, point.y) + pi), aspects.elevation_cell(cotangent)}});
+    add({tile, {aspects.azimuth_cell(azimuth_of(point) + pi), aspects.elevation_cell(cotangent)}});
     const atlas::AspectCells* const ground = source_.ground_aspects();
     if (ground == nullptr) return;
     const std::uint32_t elevation = ground->elevation_cell(cotangent);

@@ -17,7 +17,7 @@ std::optional<double> azimuth_of_radar_rad(const radar::GroundGrid& grid, const 
   const Vec2d place{radar.position.x, radar.position.y};
   if (grid.extent().contains(place)) return std::nullopt;
   const Vec2d towards = place - grid.extent().centre();
-  return std::atan2(towards.x, towards.y);
+  return azimuth_of(towards);
 }
 
 template <typename Map>

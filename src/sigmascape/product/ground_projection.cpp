@@ -50,7 +50,7 @@ Array2D<radar::Channels> laid_on_cells(const SeenBins& seen, const terrain::Heig
       const Vec2d foot{seen.radar_position.x, seen.radar_position.y};
       const Vec3d away = seen.earth.bent({point.x, point.y, terrain.height_at(point)}, foot) - seen.radar_position;
       const double range_m = length(away);
-      const double azimuth = middle + turned_by_least(std::atan2(away.x, away.y) - middle);
+      const double azimuth = middle + turned_by_least(azimuth_of(away) - middle);
       const radar::Channels here =
           bins_at(seen.bins, goes_round, (azimuth - bins.first_azimuth_rad) / bins.azimuth_step_rad,
                   (range_m - bins.first_range_m) / bins.range_step_m);

@@ -140,7 +140,7 @@ double north_of_frame_rad(const Picture& picture) {
   const std::string& frame = told == picture.metadata.end() ? crs->second : told->second;
   if (frame != crs->second) middle = position_in(frame, geo::place_on_globe(crs->second, middle, "map"));
   const Vec2d north = geo::way_at_azimuth(frame, middle, 0.0);
-  return std::atan2(north.x, north.y);
+  return azimuth_of(north);
 }
 
 /// Where the picture says that its radar stands, seen from its middle: clockwise from the north of its map's frame.

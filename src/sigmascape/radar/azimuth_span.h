@@ -16,13 +16,13 @@ struct AzimuthSpan {
   double left_rad = -pi, right_rad = pi;  ///< turns from the middle
 
   /// By how much the azimuth of a point is turned from the middle, from −π to π.
-  [[nodiscard]] double turn_to(Vec2d away) const { return turned_by_least(std::atan2(away.x, away.y) - middle_rad); }
+  [[nodiscard]] double turn_to(Vec2d away) const { return turned_by_least(azimuth_of(away) - middle_rad); }
 };
 
 /// All round from a place within the area.
 [[nodiscard]] inline AzimuthSpan azimuths_of(const Rectangle& area, Vec2d place) {
   const Vec2d to_middle = area.centre() - place;
-  AzimuthSpan span{.middle_rad = std::atan2(to_middle.x, to_middle.y)};
+  AzimuthSpan span{.middle_rad = azimuth_of(to_middle)};
   if (area.contains(place)) return span;
   span.left_rad = span.right_rad = 0.0;
   for (const Vec2d corner : corners_of(area)) {

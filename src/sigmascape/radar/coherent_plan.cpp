@@ -130,7 +130,7 @@ void check_processing(const Radar& radar) {
 /// keeps its azimuth, and the point is seen less or more steeply the earlier or later it is passed.
 double sine_at_edge(const Radar& radar, Vec3d away, double edge_rad) {
   const Vec3d flight = radar.velocity_mps;
-  const double azimuth = std::atan2(away.x, away.y) + edge_rad;
+  const double azimuth = azimuth_of(away) + edge_rad;
   const auto beside_edge = [&](Vec3d v) { return v.x * std::cos(azimuth) - v.y * std::sin(azimuth); };
   const Vec3d then = away - flight * (beside_edge(away) / beside_edge(flight));
   return dot(then, flight) / (length(then) * length(flight));

@@ -26,7 +26,7 @@ double heading_of(const Target& target, double time_s) {
   // Along its own horizontal; what is left of a climb straight up is rounding.
   const Vec3d level = velocity - target.up * dot(velocity, target.up);
   const bool moves = std::hypot(level.x, level.y) > 1e-9 * length(velocity);
-  return moves ? std::atan2(level.x, level.y) : target.heading_rad;
+  return moves ? azimuth_of(level) : target.heading_rad;
 }
 
 Motion motion_of(const Target& target, double time_s) {
@@ -44,7 +44,7 @@ Channels mean_rcs_of(const Target& target, Vec3d seen_from, double frequency_hz,
                      const CurvedEarth& earth) {
   if (const auto* const constant = std::get_if<Channels>(&target.rcs_m2)) return *constant;
   const Vec3d position = target.track.position_at(time_s), away = seen_from - position;
-  const double azimuth = std::atan2(away.x, away.y) - heading_of(target, time_s);
+  const double azimuth = azimuth_of(away) - heading_of(target, time_s);
   const double elevation = elevation_of(seen_from, target, position, earth);
   return std::get<RcsTable>(target.rcs_m2).at({{azimuth, elevation}, frequency_hz});
 }

@@ -35,7 +35,7 @@ std::complex<float> gaussian(std::uint64_t key, std::size_t frequency) {
 BeamAzimuth towards(Vec3d point) {
   return [point](const radar::Pulse& pulse) {
     const Vec3d away = point - pulse.platform.position;
-    return std::atan2(away.x, away.y);
+    return azimuth_of(away);
   };
 }
 
@@ -44,9 +44,7 @@ BeamAzimuth fixed_at(double azimuth_rad) {
 }
 
 BeamAzimuth abeam(double clockwise_rad) {
-  return [clockwise_rad](const radar::Pulse& pulse) {
-    return std::atan2(pulse.platform.velocity_mps.x, pulse.platform.velocity_mps.y) + clockwise_rad;
-  };
+  return [clockwise_rad](const radar::Pulse& pulse) { return azimuth_of(pulse.platform.velocity_mps) + clockwise_rad; };
 }
 
 VoltageGain calibrated_voltage(const radar::Radar& radar, BeamAzimuth beam) {
@@ -55,7 +53,7 @@ VoltageGain calibrated_voltage(const radar::Radar& radar, BeamAzimuth beam) {
   return [volts_in_vacuum_at_1_m, atmosphere_per_m, waveform = radar.waveform, pattern = radar::antenna_pattern(radar),
           beam = std::move(beam)](const radar::Pulse& pulse, Vec3d position, double range_m) {
     const Vec3d away = position - pulse.platform.position;
-    const double offset = std::remainder(std::atan2(away.x, away.y) - beam(pulse), 2.0 * pi);
+    const double offset = std::remainder(azimuth_of(away) - beam(pulse), 2.0 * pi);
     const double elevation = std::asin(away.z / length(away));
     // One way in voltage, squared for both ways; the peak is in the radar equation already.
     const double one_way = pattern.voltage(offset, elevation);

@@ -11,7 +11,7 @@ VoltageGain pattern_gain(const radar::Radar& radar, BeamAzimuth beam) {
   return [pattern = radar::antenna_pattern(radar), beam = std::move(beam)](const radar::Pulse& pulse, Vec3d position,
                                                                            double) {
     const Vec3d away = position - pulse.platform.position;
-    const double offset = beam ? std::remainder(std::atan2(away.x, away.y) - beam(pulse), 2.0 * pi) : 0.0;
+    const double offset = beam ? std::remainder(azimuth_of(away) - beam(pulse), 2.0 * pi) : 0.0;
     const double one_way = pattern.voltage(offset, std::asin(away.z / length(away)));
     return static_cast<float>(one_way * one_way / pattern.peak_gain());
   };

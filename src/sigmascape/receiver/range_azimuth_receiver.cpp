@@ -46,11 +46,11 @@ radar::RangeAzimuthGrid grid_covering(const radar::Radar& radar, std::span<const
   double nearest = 1e30, farthest = 0.0, leftmost = 1e30, rightmost = -1e30;
   bool goes_round = false;
   const Vec3d first = points.front() - radar.position;
-  const double middle = std::atan2(first.x, first.y);
+  const double middle = azimuth_of(first);
   for (const Vec3d& point : points) {
     const Vec3d away = point - radar.position;
     // Azimuths are unwrapped about the first point's, so that a sector across south does not fall apart.
-    const double azimuth = middle + std::remainder(std::atan2(away.x, away.y) - middle, 2.0 * pi);
+    const double azimuth = middle + std::remainder(azimuth_of(away) - middle, 2.0 * pi);
     nearest = std::min(nearest, length(away));
     farthest = std::max(farthest, length(away));
     leftmost = std::min(leftmost, azimuth);

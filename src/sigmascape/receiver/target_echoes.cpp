@@ -45,7 +45,7 @@ std::vector<radar::Echo> target_echoes(std::span<const radar::Target> targets, c
     const Vec3d away = target.track.position_at(moment.time_s) - radar.position;
     const double range_m = length(away);
     echoes.push_back({.range_m = range_m,
-                      .cross = std::atan2(away.x, away.y),
+                      .cross = azimuth_of(away),
                       .rcs_m2 = radar::rcs_of(target, radar.position, radar.frequency_hz, moment),
                       .bounces = 1,
                       .sin_depression = static_cast<float>(-away.z / range_m)});

@@ -30,10 +30,6 @@ double most_cells() {
   return std::min(numbered_cells, machine_memory_bytes() / bytes_a_cell);
 }
 
-double azimuth_to(Vec3d radar, Vec3d point) {
-  return std::atan2(radar.x - point.x, radar.y - point.y);
-}
-
 /// σ0 of a point on the terrain as the radar sees it: nothing where it is hidden.
 using SeenSigma0 = std::function<radar::Channels(Vec3d point, ReflectingGround::Looks& looks)>;
 
@@ -45,7 +41,7 @@ SeenSigma0 seen(const ReflectivityField& field, const terrain::HeightField& terr
     const Vec3d away = radar - point;
     const double distance_m = std::hypot(away.x, away.y);
     return field({point.x, point.y},
-                 {azimuth_to(radar, point), std::atan2(away.z - request.earth.drop_m(distance_m), distance_m)});
+                 {azimuth_of(radar - point), std::atan2(away.z - request.earth.drop_m(distance_m), distance_m)});
   };
 }
 
@@ -67,7 +63,7 @@ SeenSigma0 seen(const AtlasReflectivity& textures, const terrain::HeightField& t
                                                        request.threads);
   return [&request, ground, buildings, sights](Vec3d point, ReflectingGround::Looks& looks) {
     const Vec3d radar = request.vantage.place_for({point.x, point.y});
-    return ground.seen_from(radar).sigma0(point, wrapped_azimuth(azimuth_to(radar, point)),
+    return ground.seen_from(radar).sigma0(point, wrapped_azimuth(azimuth_of(radar - point)),
                                           sights->at({point.x, point.y}), looks);
   };
 }

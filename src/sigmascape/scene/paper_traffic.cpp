@@ -36,7 +36,7 @@ class Fleet {
     vehicles_.push_back({.prototype = prototype,
                          .x_m = static_cast<float>(p.x),
                          .y_m = static_cast<float>(p.y),
-                         .yaw_rad = static_cast<float>(std::atan2(heading.x, heading.y)),
+                         .yaw_rad = static_cast<float>(azimuth_of(heading)),
                          .speed_mps = static_cast<float>(speed_mps)});
   }
 

@@ -135,7 +135,7 @@ void TrafficFlow::fill(std::span<const Vec2d> line, const Stream& stream, const 
     scene_.instances.push_back({.prototype = prototype_[kind],
                                 .x_m = static_cast<float>(place.x),
                                 .y_m = static_cast<float>(place.y),
-                                .yaw_rad = static_cast<float>(wrapped_azimuth(std::atan2(heading.x, heading.y))),
+                                .yaw_rad = static_cast<float>(wrapped_azimuth(azimuth_of(heading))),
                                 .speed_mps = static_cast<float>(stream.speed_mps)});
   }
 }

@@ -248,7 +248,7 @@ std::optional<double> azimuth_of_strip_beam(const radar::Radar& radar, const rad
   if (!radar.processing.antenna_pattern) return std::nullopt;
   if (const auto azimuth_rad = radar::fixed_strip_azimuth_rad(radar)) return azimuth_rad;
   const Vec2d away = area.centre() - Vec2d{radar.position.x, radar.position.y};
-  return std::atan2(away.x, away.y);
+  return azimuth_of(away);
 }
 
 /// The ground whose ghosts fall into an area.

@@ -27,10 +27,6 @@ struct Stand {
   double north_rad = 0.0;
 };
 
-double azimuth_of(Vec2d way) {
-  return std::atan2(way.x, way.y);
-}
-
 /// Over the scene it stands where the frame has its place, a mast on its own hill. Beside it, at the distance and
 /// azimuth of its geodesic from the scene's middle, so that it sees the scene from where it does: the frame is true to
 /// scale and angle about the scene, and bends straight lines that go far. The azimuth of the way back at the radar

@@ -18,7 +18,7 @@ receiver::BeamAzimuth steered_beam(const radar::Radar& radar, Vec3d aim) {
   if (const auto azimuth_rad = fixed_azimuth_rad(radar)) return receiver::fixed_at(*azimuth_rad);
   if (radar.mode != radar::Mode::Stripmap) return receiver::towards(aim);
   const Vec3d away = aim - radar.position;
-  return receiver::abeam(std::atan2(away.x, away.y) - std::atan2(radar.velocity_mps.x, radar.velocity_mps.y));
+  return receiver::abeam(azimuth_of(away) - azimuth_of(radar.velocity_mps));
 }
 
 bool scans_as_it_records(const radar::Radar& radar) {
@@ -31,7 +31,7 @@ receiver::BeamAzimuth recorded_beam(const radar::Radar& radar, Vec3d aim, double
   const Vec3d away = aim - radar.position;
   radar::Scan scan = radar.scan;
   if (!scan.azimuth_rad) {
-    scan.azimuth_rad = std::atan2(away.x, away.y);
+    scan.azimuth_rad = azimuth_of(away);
     moment_s = 0.0;
   }
   return [scan, moment_s](const radar::Pulse& pulse) { return radar::beam_azimuth_rad(scan, moment_s + pulse.time_s); };

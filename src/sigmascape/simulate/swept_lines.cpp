@@ -51,7 +51,7 @@ SweptLines lines_about(const CoarseGround& ground, Vec3d platform, const radar::
   const double middle_rad = first_rad + 0.5 * static_cast<double>(swept.lines - 1) * turn_rad;
   swept.place_of = [=, near_m = swept.near_m](Vec2d point) -> Vec2d {
     const Vec2d away = point - here;
-    const double azimuth_rad = middle_rad + turned_by_least(std::atan2(away.x, away.y) - middle_rad);
+    const double azimuth_rad = middle_rad + turned_by_least(azimuth_of(away) - middle_rad);
     return {(length(away) - near_m) / step_m, (azimuth_rad - first_rad) / turn_rad};
   };
   swept.sees = [](Vec2d) { return true; };

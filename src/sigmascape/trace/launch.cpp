@@ -98,7 +98,7 @@ bool HeardSector::is_heard_from(Vec3d point, const MultibounceReach& reach, doub
   const double range_m = length(away);
   if (range_m < near_range_m - reach.before_m - spare_m || range_m > far_range_m + spare_m) return false;
   const double over_ground_m = std::sqrt(away.x * away.x + away.y * away.y);
-  const double beside_rad = std::abs(turned_by_least(std::atan2(away.x, away.y) - middle_azimuth_rad)) - half_width_rad;
+  const double beside_rad = std::abs(turned_by_least(azimuth_of(away) - middle_azimuth_rad)) - half_width_rad;
   return beside_rad * over_ground_m <= reach.beside_m + spare_m;
 }
 

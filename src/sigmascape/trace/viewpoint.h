@@ -23,7 +23,7 @@ class Viewpoint {
     return is_distant_ ? -dot(point, to_radar_) : length(position_ - point);
   }
   [[nodiscard]] double cross_of(Vec3d point) const {
-    return is_distant_ ? dot(point, right_) : std::atan2(point.x - position_.x, point.y - position_.y);
+    return is_distant_ ? dot(point, right_) : azimuth_of(point - position_);
   }
   /// The middle of two cross positions; of azimuths, the middle of the smaller angle between them, be it across south.
   [[nodiscard]] double middle_cross(double first, double second) const;

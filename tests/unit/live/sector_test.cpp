@@ -12,7 +12,7 @@ namespace {
 
 bool holds(double first_azimuth_rad, double width_rad, double near_m, double far_m, Vec2d p) {
   const double distance = length(p);
-  const double azimuth = wrapped_azimuth(std::atan2(p.x, p.y) - first_azimuth_rad);
+  const double azimuth = wrapped_azimuth(azimuth_of(p) - first_azimuth_rad);
   return distance >= near_m && distance <= far_m && azimuth <= width_rad;
 }
 

@@ -33,7 +33,7 @@ void add_point(radar::RangeAzimuthImage& image, Vec3d point, float rcs_m2,
   const Vec3d away = earth.bent(point, {image.radar_position.x, image.radar_position.y}) - image.radar_position;
   const auto& grid = image.grid;
   const double middle = grid.first_azimuth_rad + 0.5 * static_cast<double>(grid.azimuths) * grid.azimuth_step_rad;
-  const double azimuth = middle + std::remainder(std::atan2(away.x, away.y) - middle, 2.0 * pi);
+  const double azimuth = middle + std::remainder(azimuth_of(away) - middle, 2.0 * pi);
   const double column = (azimuth - grid.first_azimuth_rad) / grid.azimuth_step_rad - 0.5;
   const double row = (length(away) - grid.first_range_m) / grid.range_step_m - 0.5;
   const auto c = static_cast<std::size_t>(column), r = static_cast<std::size_t>(row);
@@ -190,7 +190,7 @@ TEST(GroundMap, BinsThatGoRoundLeaveNoSeam) {
       const Vec2d place = grid.centre_of(column, row);
       // On level ground a bin is r Δr Δφ large.
       const double bin_m2 = std::hypot(length(place), 200.0) * image.grid.range_step_m * image.grid.azimuth_step_rad;
-      ASSERT_NEAR(static_cast<double>(map.sigma0(column, row).vv) * bin_m2, rcs_m2(std::atan2(place.x, place.y)), 0.01)
+      ASSERT_NEAR(static_cast<double>(map.sigma0(column, row).vv) * bin_m2, rcs_m2(azimuth_of(place)), 0.01)
           << column << ", " << row;
     }
   }

@@ -15,7 +15,7 @@ TEST(PositionSeeing, StandsAtTheAskedRangeAndAngles) {
   const Vec3d away = position - target;
   EXPECT_NEAR(length(away), 20e3, 1e-6);
   EXPECT_NEAR(deg_from_radians(std::asin(away.z / length(away))), 13.0, 1e-9);
-  EXPECT_NEAR(deg_from_radians(std::atan2(away.x, away.y)), 130.0, 1e-9);
+  EXPECT_NEAR(deg_from_radians(azimuth_of(away)), 130.0, 1e-9);
 }
 
 TEST(PositionSeeing, AzimuthIsWhereTheRadarStands) {
@@ -32,7 +32,7 @@ TEST(PositionSeeing, OverARoundEarthKeepsItsRangeAndGrazingAngle) {
     const Vec3d position =
         position_seeing(target, radians_from_deg(130.0), radians_from_deg(elevation_deg), slant_range_m, earth);
     const Vec2d away{position.x - target.x, position.y - target.y};
-    EXPECT_NEAR(deg_from_radians(std::atan2(away.x, away.y)), 130.0, 1e-9);
+    EXPECT_NEAR(deg_from_radians(azimuth_of(away)), 130.0, 1e-9);
     EXPECT_NEAR(earth.slant_range_m(position.z, target.z, length(away)), slant_range_m, 1e-6);
     EXPECT_NEAR(deg_from_radians(std::asin(earth.sin_grazing(position.z, target.z, length(away)))), elevation_deg,
                 1e-7);

@@ -32,7 +32,7 @@ std::vector<Vec3d> square(double half_side_m) {
 
 radar::Echo echo_at(const radar::Radar& radar, Vec3d point) {
   const Vec3d away = point - radar.position;
-  return {.range_m = length(away), .cross = std::atan2(away.x, away.y), .rcs_m2 = {1.0F, 2.0F, 0.5F, -1.0F}};
+  return {.range_m = length(away), .cross = azimuth_of(away), .rcs_m2 = {1.0F, 2.0F, 0.5F, -1.0F}};
 }
 
 /// A response sampled at offsets from the point that answers, and its width at half of the power at no offset.

@@ -64,7 +64,7 @@ TEST(FaceSight, AHouseThatStandsAslantDoesNotHideItsOwnWalls) {
   });
   const Vec3d normal{-inwards.x, -inwards.y, 0.0};
   for (const double aside_rad : {-1.3, -0.7, 0.0, 0.7, 1.3}) {
-    const double azimuth_rad = std::atan2(normal.x, normal.y) + aside_rad;
+    const double azimuth_rad = azimuth_of(normal) + aside_rad;
     const Vec3d radar = radar::position_seeing({}, azimuth_rad, radians_from_deg(6.0), 100e3);
     const FaceSight sight(house, terrain, radar::Vantage(radar), about_faces);
     for (double d = -25.0; d < 25.0; d += 0.017)

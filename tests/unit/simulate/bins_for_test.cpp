@@ -22,7 +22,7 @@ TEST(BinsFor, HoldEveryPointOfTheArea) {
       for (int column = 0; column <= 40; ++column) {
         const Vec3d away = Vec3d{-1000.0 + 50.0 * column, -1000.0 + 50.0 * row, 80.0} - radar.position;
         const double range_bin = (length(away) - bins.first_range_m) / bins.range_step_m;
-        const double azimuth = middle + std::remainder(std::atan2(away.x, away.y) - middle, 2.0 * pi);
+        const double azimuth = middle + std::remainder(azimuth_of(away) - middle, 2.0 * pi);
         const double azimuth_bin = (azimuth - bins.first_azimuth_rad) / bins.azimuth_step_rad;
         ASSERT_GT(range_bin, 2.0) << degrees << "°";
         ASSERT_LT(range_bin, static_cast<double>(bins.ranges) - 2.0) << degrees << "°";

@@ -55,13 +55,8 @@ radar::RadarFile all_at(double azimuth_rad, const decltype(radar::RadarFile::pla
   return file;
 }
 
-double azimuth_of(Vec2d way) {
-  return std::atan2(way.x, way.y);
-}
-
 void expect_all_towards(const radar::Radar& radar, Vec2d way, double tolerance_rad) {
-  for (const double azimuth_rad :
-       {radar.heading_rad, *radar.scan.azimuth_rad, azimuth_of({radar.velocity_mps.x, radar.velocity_mps.y})}) {
+  for (const double azimuth_rad : {radar.heading_rad, *radar.scan.azimuth_rad, azimuth_of(radar.velocity_mps)}) {
     EXPECT_NEAR(turned_by_least(azimuth_rad - azimuth_of(way)), 0.0, tolerance_rad);
   }
   EXPECT_NEAR(std::hypot(radar.velocity_mps.x, radar.velocity_mps.y), 100.0, 1e-9);

@@ -283,7 +283,7 @@ TEST(LaunchArea, NarrowedToASectorLosesNoRayThatIsHeard) {
     const Vec3d point{400.0 * drawn(0) - 200.0, 400.0 * drawn(1) - 200.0, top_m * drawn(2)};
     const Vec3d away = point - area.radar;
     const double range_m = length(away);
-    const double beside_m = std::abs(std::atan2(away.x, away.y) - radians(45.0)) * area.over_ground_m;
+    const double beside_m = std::abs(azimuth_of(away) - radians(45.0)) * area.over_ground_m;
     if (range_m < 4950.0 || range_m > 5050.0 || beside_m > 50.0) {
       // Well outside nothing counts, so that no path is found from one end alone.
       if (beside_m > 70.0 || range_m > 5070.0) {
