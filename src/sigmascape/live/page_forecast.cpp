@@ -1,7 +1,6 @@
 #include "sigmascape/live/page_forecast.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "sigmascape/atlas/tile_block.h"
 #include "sigmascape/base/units.h"

@@ -1,6 +1,5 @@
 #include "sigmascape/product/described_map.h"
 
-#include <cmath>
 #include <fmt/format.h>
 #include <optional>
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
 
 #include "sigmascape/base/units.h"
 #include "sigmascape/base/vec.h"

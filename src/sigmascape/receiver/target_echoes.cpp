@@ -1,6 +1,5 @@
 #include "sigmascape/receiver/target_echoes.h"
 
-#include <cmath>
 #include <utility>
 
 #include "sigmascape/receiver/bin_response.h"

@@ -1,7 +1,6 @@
 #include "sigmascape/scene/paper_traffic.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "sigmascape/base/hash.h"
 

@@ -1,6 +1,5 @@
 #include "sigmascape/simulate/recorded_beam.h"
 
-#include <cmath>
 #include <optional>
 
 namespace sigmascape::simulate {
