@@ -1,62 +1,13 @@
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <vector>
 
 #include "sigmascape/base/vec.h"
-#include "sigmascape/live/obstacle_mosaic.h"
-#include "sigmascape/terrain/terrain_pyramid.h"
-#include "sigmascape/terrain/terrain_view.h"
+#include "sigmascape/live/horizon_grid.h"
+#include "sigmascape/live/occluders.h"
 
 namespace sigmascape::live {
-
-/// How the nodes of a horizon map lie: along each of a number of directions, evenly spaced over the ground.
-struct HorizonGrid {
-  double first_azimuth_rad = 0.0;
-  double azimuth_step_rad = 1e-3;
-  std::size_t azimuths = 0;
-  double near_m = 0.0;
-  double step_m = 1.0;
-  std::size_t distances = 0;
-  /// Most steps between the radar and `near_m`: what stands there hides the ground beyond, though it is not mapped.
-  /// Steps over obstacles are cut to the size of their squares, here as beyond.
-  std::size_t before_near = 256;
-  double drop_per_square_m = 0.0;  ///< 1/(2 k R), see radar::CurvedEarth
-
-  /// The last node that is no farther; the first before it, the last beyond all.
-  [[nodiscard]] std::size_t node_before(double distance_m) const {
-    return static_cast<std::size_t>(
-        std::clamp((distance_m - near_m) / step_m, 0.0, static_cast<double>(distances - 1)));
-  }
-
-  friend bool operator==(const HorizonGrid&, const HorizonGrid&) = default;
-};
-
-/// Single precision leaves this much doubt in a slope.
-inline constexpr double slope_doubt = 1e-6;
-
-/// What hides ground.
-struct Occluders {
-  terrain::TerrainView terrain;
-  const ObstacleMosaic* obstacles = nullptr;  ///< null where none stand apart from the textures
-  float tallest_m = 0.0F;                     ///< of the obstacles
-  terrain::TerrainView before_near = {};      ///< the terrain before the map's first node; empty: the same
-  /// The obstacles there, on squares for its steps, which may be longer (`lead_of`); null: the same.
-  const ObstacleMosaic* obstacles_before_near = nullptr;
-  /// Terrain is taken to lie this much lower than it says: by how much it may be wrong, so that ground is not hidden
-  /// by what is not there.
-  float lowered_m = 0.0F;
-};
-
-/// The steps of a sweep before the map's first node: from the nearest ground that may hide any of the map's.
-struct LeadSteps {
-  double from_m = 0.0, step_m = 1.0;
-  std::size_t count = 0;
-};
-[[nodiscard]] LeadSteps lead_of(const HorizonGrid& grid, Vec3d radar, const Occluders& occluders);
-/// The same of all that may hide the map's ground, known by its bounds alone.
-[[nodiscard]] LeadSteps lead_of(const HorizonGrid& grid, Vec3d radar, const terrain::HeightBounds& bounds);
 
 /// The steepest line of sight to the ground met so far, for every direction and distance: what a point must rise above
 /// to be seen. Where obstacles stand on the ground, the steepest to solid tops besides, and what part of the ground's
@@ -103,9 +54,6 @@ class HorizonMap {
                                    const Occluders& occluders) const;
 
  private:
-  class Walk;
-  class Crests;
-
   /// Over ground on which nothing stands, or only in the textures.
   void sweep_ground(std::size_t azimuth, Vec3d radar, const Occluders& occluders);
   void sweep_obstacles(std::size_t azimuth, Vec3d radar, const Occluders& occluders, unsigned worker);

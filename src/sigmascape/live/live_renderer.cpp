@@ -10,6 +10,7 @@
 #include "sigmascape/base/units.h"
 #include "sigmascape/live/detail_of_ground.h"
 #include "sigmascape/live/frame_reach.h"
+#include "sigmascape/live/horizon_lead.h"
 #include "sigmascape/live/page_forecast.h"
 #include "sigmascape/live/row_widths.h"
 #include "sigmascape/live/sector.h"

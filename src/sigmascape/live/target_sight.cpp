@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sigmascape/live/horizon_steps.h"
 #include "sigmascape/terrain/roof_doubt.h"
 
 namespace sigmascape::live {

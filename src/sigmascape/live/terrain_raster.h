@@ -6,7 +6,7 @@
 
 #include "sigmascape/base/vec.h"
 #include "sigmascape/base/worker_team.h"
-#include "sigmascape/live/horizon_map.h"
+#include "sigmascape/live/horizon_grid.h"
 #include "sigmascape/terrain/terrain_view.h"
 
 namespace sigmascape::live {

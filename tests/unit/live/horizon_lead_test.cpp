@@ -6,6 +6,7 @@
 #include "made_obstacles.h"
 
 #include "sigmascape/base/hash.h"
+#include "sigmascape/live/horizon_lead.h"
 #include "sigmascape/live/horizon_map.h"
 #include "sigmascape/radar/look.h"
 #include "sigmascape/terrain/height_field.h"
