@@ -92,7 +92,8 @@ LiveRenderer::LiveRenderer(std::shared_ptr<LiveGround> ground, const LiveSetting
                 .ranges = settings.ranges,
                 .beam_step_rad = settings.beam_step_rad,
                 .range_step_m = settings.range_step_m}),
-      beams_(settings.beams) {
+      beams_(settings.beams),
+      bins_(settings) {
   if (settings.visibility.method == VisibilityMethod::Rasterization && ground_->obstacles() != nullptr) {
     throw Error("live renderer", "is to draw terrain, but the atlas keeps apart what stands on it",
                 "take the horizon sweep, which knows obstacles, or bake with --shadows baked");
@@ -100,10 +101,9 @@ LiveRenderer::LiveRenderer(std::shared_ptr<LiveGround> ground, const LiveSetting
   frame_.frequency_hz = ground_->frequency_hz();
   frame_.earth = {.refraction = settings.refraction};
   frame_.beams = beams_.all();
-  bins_.resize(settings.beams * settings.ranges * numbers_a_bin(settings.content));
   for (unsigned worker = 0; worker < team_.size(); ++worker)
-    tasks_.push_back(std::make_unique<SectorTask>(
-        FrameParts{*ground_, settings_, lattice_, horizon_of_, occluders_of_, sectors_, shadows_, bounds_, bins_}));
+    tasks_.push_back(std::make_unique<SectorTask>(FrameParts{*ground_, settings_, lattice_, horizon_of_, occluders_of_,
+                                                             sectors_, shadows_, bounds_, bins_.numbers()}));
   // The tasks' and, after them, what lies ahead.
   wanted_.reserve(PageRows::most_wanted * (team_.size() + 1));
   wanted_terrain_.reserve(most_wanted_terrain);
@@ -173,7 +173,7 @@ void LiveRenderer::fill(const Pose& pose, Beams beams) {
     const std::size_t first = std::max(beams.first, (first_group + index) * group);
     const std::size_t end = std::min(beams.end, (first_group + index + 1) * group);
     tasks_[worker]->fill(pose, {first, end - first}, levels);
-    add_targets(first, end - first);
+    bins_.add(targets_, first, end - first);
   });
   frame_.drawing = beams_.end(pose.position, pose.velocity_mps);
 
@@ -224,11 +224,7 @@ void LiveRenderer::prepare(const Pose& pose) {
   grid.drop_per_square_m = 0.5 * earth.curvature_per_m();
   for (VisibleGround& ground : visible_) ground.reset(grid, ground_->obstacles() != nullptr);
 
-  if (settings_.content == FrameContent::Amplitudes) {
-    frame_.amplitudes_m = {reinterpret_cast<const std::complex<float>*>(bins_.data()), bins_.size() / 2};
-  } else {
-    frame_.powers_m2 = bins_;
-  }
+  bins_.show_in(frame_);
 }
 
 radar::Rectangle LiveRenderer::under(Beams beams, Vec3d radar, double near_m, double far_m) const {
@@ -390,16 +386,6 @@ void LiveRenderer::find_shadows_of_targets(const Pose& pose) {
                  .drop_per_square_m = grid().drop_per_square_m,
                  .lowest_m = static_cast<double>(bounds_.lowest_m)},
                 team_);
-}
-
-void LiveRenderer::add_targets(std::size_t first_beam, std::size_t count) {
-  if (targets_.seen() == 0) return;
-  if (settings_.content == FrameContent::Powers) {
-    targets_.add_powers(first_beam, count, bins_);
-  } else {
-    targets_.add_amplitudes(first_beam, count,
-                            {reinterpret_cast<std::complex<float>*>(bins_.data()), bins_.size() / 2});
-  }
 }
 
 void LiveRenderer::look_ahead(const FrameViews& there, const Pose& pose, Beams beams, std::size_t level) {

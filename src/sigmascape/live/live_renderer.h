@@ -11,6 +11,7 @@
 #include "sigmascape/live/box_shadows.h"
 #include "sigmascape/live/drawn_beams.h"
 #include "sigmascape/live/frame.h"
+#include "sigmascape/live/frame_bins.h"
 #include "sigmascape/live/frame_reach.h"
 #include "sigmascape/live/live_ground.h"
 #include "sigmascape/live/live_settings.h"
@@ -73,7 +74,6 @@ class LiveRenderer {
   /// All of them, for the next takes what is placed; those that the beams see are reported.
   void look_at_targets(const Pose& pose, Beams beams, const render::DetailBlend& levels);
   void find_shadows_of_targets(const Pose& pose);
-  void add_targets(std::size_t first_beam, std::size_t count);
   /// For the beams, and their edges, over the terrain of each level of detail in use.
   void find_visible_ground(const FrameViews& there, const Pose& pose, Beams beams, const render::DetailBlend& levels);
   /// Along edges of beams, from the first to before the end, and the lines between them, over the terrain of one level
@@ -124,7 +124,7 @@ class LiveRenderer {
   render::DetailTransition transition_;
   int last_level_ = 0;
   DrawnBeams beams_;
-  std::vector<float> bins_;                         // [beam][range][number]
+  FrameBins bins_;
   std::vector<std::unique_ptr<SectorTask>> tasks_;  // one a worker
   std::vector<PageKey> wanted_;                     // by all of them
   std::vector<WindowWish> wanted_terrain_;

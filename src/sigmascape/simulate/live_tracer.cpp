@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <complex>
 #include <fmt/format.h>
 #include <numbers>
 #include <numeric>
@@ -92,7 +91,7 @@ LiveTracer::LiveTracer(const scene::Scene& scene, const trace::SceneGeometry& ge
       occupied_(scene::occupied_extent(scene)),
       triangles_per_m2_(scene::triangles_per_m2(scene)),
       drawn_(settings.beams),
-      bins_(settings.beams * settings.ranges * live::numbers_a_bin(settings.content)) {
+      bins_(settings) {
   frame_.frequency_hz = tracing_.frequency_hz;
   frame_.earth = {.refraction = settings_.refraction};
   frame_.beams = drawn_.all();
@@ -130,8 +129,7 @@ const live::Frame& LiveTracer::scan(const live::Pose& pose, std::size_t first_be
   drawn_.begin(beams.first, beams.count);
   frame_.grid = grid_;
   frame_.report = {};
-  const std::size_t numbers_a_beam = settings_.ranges * live::numbers_a_bin(settings_.content);
-  std::ranges::fill(std::span(bins_).subspan(beams.first * numbers_a_beam, beams.count * numbers_a_beam), 0.0F);
+  bins_.clear(beams.first, beams.count);
   if (ground != nullptr) show_ground(pose, *ground);
   add_targets(pose, beams);
   frame_.drawing = drawn_.end(pose.position, pose.velocity_mps);
@@ -141,11 +139,7 @@ const live::Frame& LiveTracer::scan(const live::Pose& pose, std::size_t first_be
 void LiveTracer::begin(const live::Pose& pose) {
   steps_.clear();
   grid_ = live::bins_of(settings_, pose);
-  if (keeps_cells()) {
-    frame_.amplitudes_m = {reinterpret_cast<const std::complex<float>*>(bins_.data()), bins_.size() / 2};
-  } else {
-    frame_.powers_m2 = bins_;
-  }
+  bins_.show_in(frame_);
   look_ = look_of(pose);
   lattice_level_ = lattice_level(look_);
   if (is_empty(look_.ground)) return;
@@ -316,14 +310,14 @@ void LiveTracer::show_ground(const live::Pose& pose, const TracedGround& ground)
                     .radar = pose.position,
                     .earth = {.refraction = settings_.refraction},
                     .frequency_hz = tracing_.frequency_hz},
-                   {reinterpret_cast<std::complex<float>*>(bins_.data()), bins_.size() / 2});
+                   bins_.amplitudes());
     return;
   }
   const std::size_t first = ground.view().first_beam * settings_.ranges;
   for (std::size_t bin = 0; bin < ground.view().beams * settings_.ranges; ++bin) {
     const radar::Channels rcs_m2 = sums.mean(bin);
     std::ranges::copy(std::array{rcs_m2.vv, rcs_m2.hh, rcs_m2.hv, rcs_m2.re_vvhh},
-                      bins_.begin() + static_cast<std::ptrdiff_t>(4 * (first + bin)));
+                      bins_.numbers().subspan(4 * (first + bin), 4).begin());
   }
 }
 
@@ -341,12 +335,7 @@ void LiveTracer::add_targets(const live::Pose& pose, Beams beams) {
   frame_.report.targets = count.seen_of(targets_.seen());
   targets_.tell_apart(beams.first, beams.count);
   frame_.targets = targets_.apart();
-  if (settings_.content == live::FrameContent::Powers) {
-    targets_.add_powers(beams.first, beams.count, bins_);
-  } else {
-    targets_.add_amplitudes(beams.first, beams.count,
-                            {reinterpret_cast<std::complex<float>*>(bins_.data()), bins_.size() / 2});
-  }
+  bins_.add(targets_, beams.first, beams.count);
 }
 
 }  // namespace sigmascape::simulate

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "sigmascape/live/frame_bins.h"
 #include "sigmascape/live/live_renderer.h"
 #include "sigmascape/radar/scatterer_lattice.h"
 #include "sigmascape/radar/shadow_box.h"
@@ -157,7 +158,7 @@ class LiveTracer {
   std::vector<Step> steps_;
 
   live::DrawnBeams drawn_;
-  std::vector<float> bins_;  // [beam][range][number]
+  live::FrameBins bins_;
   live::Frame frame_;
 };
 
