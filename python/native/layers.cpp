@@ -173,17 +173,17 @@ void add_layers(py::module_& module) {
           },
           py::arg("path"), py::call_guard<WithoutGil>(),
           "Writes a GeoTIFF (.tif) with a band a layer, angles in degrees.");
-  module.def("layers", &layers, py::arg("scene"), py::arg("radar"), py::arg("names"), py::kw_only(),
-             py::arg("lod") = py::none(), py::arg("atlas") = nullptr,
-             py::arg("targets") = std::vector<radar::TargetSource>{}, py::arg("samples") = 16, py::arg("bounces") = 8,
-             py::arg("seed") = 1, py::arg("time_s") = 0.0, py::arg("dwell") = 0, py::arg("threads") = 0,
-             py::arg("progress") = py::none(),
-             "The Layers called `names` over the cells of the radar's map: 'shadow', 'layover', 'incidence', 'range',\n"
-             "'class', 'height', and at level of detail 0 'bounce1', 'bounce2', ... (sigma0 by number of bounces) and\n"
-             "'multibounce' (the part that came over more than one). lod: 0 asks rays over the full scene, 1 terrain\n"
-             "and obstacles; 1 with an atlas, whose obstacles these then are, so that shadows are those of its maps, "
-             "else 0. targets: of Target, whose boxes throw shadows, and which answer in the layers of bounces.\n"
-             "Other arguments as for render(); docs/datasets.md says what each layer is.");
+  module.def(
+      "layers", &layers, py::arg("scene"), py::arg("radar"), py::arg("names"), py::kw_only(),
+      py::arg("lod") = py::none(), py::arg("atlas") = nullptr, py::arg("targets") = std::vector<radar::TargetSource>{},
+      py::arg("samples") = simulate::TraceSettings{}.samples_per_cell, py::arg("bounces") = 8, py::arg("seed") = 1,
+      py::arg("time_s") = 0.0, py::arg("dwell") = 0, py::arg("threads") = 0, py::arg("progress") = py::none(),
+      "The Layers called `names` over the cells of the radar's map: 'shadow', 'layover', 'incidence', 'range',\n"
+      "'class', 'height', and at level of detail 0 'bounce1', 'bounce2', ... (sigma0 by number of bounces) and\n"
+      "'multibounce' (the part that came over more than one). lod: 0 asks rays over the full scene, 1 terrain\n"
+      "and obstacles; 1 with an atlas, whose obstacles these then are, so that shadows are those of its maps, "
+      "else 0. targets: of Target, whose boxes throw shadows, and which answer in the layers of bounces.\n"
+      "Other arguments as for render(); docs/datasets.md says what each layer is.");
   module.def(
       "class_names", [](const LoadedScene& scene) { return simulate::class_names(scene.scene()); }, py::arg("scene"),
       "Names of the numbers in the layer 'class', as a list.");

@@ -279,8 +279,8 @@ def test_targets_answer_in_layers_of_bounces(scene, radar):
 
 def test_orders_of_bounces_add_up_to_the_map(scene, radar):
     names = ["bounce1", "bounce2", "bounce3", "bounce4", "bounce5", "multibounce"]
-    layers = sigmascape.layers(scene, radar, names, samples=16, bounces=5, progress=False)
-    whole = sigmascape.render(scene, radar, samples=16, bounces=5, progress=False).vv
+    layers = sigmascape.layers(scene, radar, names, bounces=5, progress=False)
+    whole = sigmascape.render(scene, radar, bounces=5, progress=False).vv
     total = sum(layers[name] for name in names[:5])
     assert np.allclose(total, whole, rtol=1e-3, atol=1e-6, equal_nan=True)
     assert np.nansum(layers["bounce2"]) > 0.01 * np.nansum(whole)
