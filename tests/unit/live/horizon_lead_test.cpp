@@ -1,3 +1,5 @@
+#include "sigmascape/live/horizon_lead.h"
+
 #include <cmath>
 #include <functional>
 #include <gtest/gtest.h>
@@ -6,7 +8,6 @@
 #include "made_obstacles.h"
 
 #include "sigmascape/base/hash.h"
-#include "sigmascape/live/horizon_lead.h"
 #include "sigmascape/live/horizon_map.h"
 #include "sigmascape/radar/look.h"
 #include "sigmascape/terrain/height_field.h"
