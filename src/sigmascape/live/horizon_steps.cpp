@@ -69,13 +69,13 @@ void look_up_obstacles(HorizonSteps& steps, const ObstacleMosaic& obstacles, flo
   }
 }
 
-double HorizonSteps::crown_depth(std::size_t i, double step_m, double along_slope) const {
+double HorizonSteps::crown_depth(std::size_t i, double stride_m, double along_slope) const {
   const PackedObstacle packed = obstacle[i];
   if (!(distance_m[i] > 0.0F) || slope[i] == no_ground || packed.crown_top == 0) return 0.0;
-  const radar::Obstacle obstacle = packed.unpacked();
+  const radar::Obstacle standing = packed.unpacked();
   const double above_ground_m = (along_slope - static_cast<double>(slope[i])) * static_cast<double>(distance_m[i]);
-  const double part = terrain::part_within(obstacle, above_ground_m, 0.5 * step_m * std::abs(along_slope));
-  return part * static_cast<double>(obstacle.crown_extinction_per_m) * step_m * std::hypot(1.0, along_slope);
+  const double part = terrain::part_within(standing, above_ground_m, 0.5 * stride_m * std::abs(along_slope));
+  return part * static_cast<double>(standing.crown_extinction_per_m) * stride_m * std::hypot(1.0, along_slope);
 }
 
 double HorizonSteps::solid_slope(std::size_t i) const {

@@ -25,9 +25,9 @@ struct HorizonSteps {
   alignas(64) std::array<std::int32_t, steps_together> square;  // of the obstacles; −1 outside
   std::array<PackedObstacle, steps_together> obstacle;
 
-  /// Optical depth of what stands at a step of `step_m` on a line of sight under `along_slope`.
-  [[nodiscard]] double crown_depth(std::size_t i, double step_m, double along_slope) const;
-  /// Of the line of sight to the top of what is solid at a step.
+  /// Optical depth of what stands at step i, `stride_m` long, on a line of sight under `along_slope`.
+  [[nodiscard]] double crown_depth(std::size_t i, double stride_m, double along_slope) const;
+  /// Of the line of sight to the top of what is solid there.
   [[nodiscard]] double solid_slope(std::size_t i) const;
 };
 
