@@ -323,14 +323,14 @@ TEST_P(Layers, WhatStandsBehindALowRadarNeitherHidesNorLiesOver) {
 
 // So far before a wall of 60 m that it stands below, it is nearer to the ground beyond than to the wall's top.
 TEST_P(Layers, AWallLiesOverAsFarAsItsTopIsFromALowRadar) {
-  for (const auto& [before_m, height_m] : {std::pair{10.0, 5.0}, {60.0, 20.0}}) {
+  for (const auto& [before_m, mast_m] : {std::pair{10.0, 5.0}, {60.0, 20.0}}) {
     radar::Radar radar;
-    radar.position = {0.0, -before_m, height_m};
+    radar.position = {0.0, -before_m, mast_m};
     const auto stack = layers_of(GetParam(), tower_scene(60.0F), radar, {LayerKind::Layover});
     const Stretch layover = stretch_of(stack.layers[0].values);
-    const auto ground_m = [&](double range_m) { return std::sqrt(range_m * range_m - height_m * height_m) - before_m; };
+    const auto ground_m = [&](double range_m) { return std::sqrt(range_m * range_m - mast_m * mast_m) - before_m; };
     EXPECT_NEAR(layover.south_m, ground_m(before_m), cell_m) << before_m;
-    EXPECT_NEAR(layover.north_m, ground_m(std::hypot(before_m, 60.0 - height_m)), cell_m) << before_m;
+    EXPECT_NEAR(layover.north_m, ground_m(std::hypot(before_m, 60.0 - mast_m)), cell_m) << before_m;
   }
 }
 
