@@ -30,7 +30,7 @@ NAMES = {
     "memory": r"std::(make_)?(unique|shared)(_ptr)?<",
     "optional": r"std::(optional<|nullopt)",
     "span": r"std::(span<|as_bytes|as_writable_bytes)",
-    "string": r"std::(string\b(?!_view)|to_string)",
+    "string": r"std::((u8|u16|u32)?string\b(?!_view)|to_string)",
     "string_view": r"std::string_view",
     "vector": r"std::vector<",
 }

@@ -7,6 +7,7 @@
 #include "sigmascape/base/units.h"
 #include "sigmascape/radar/coherent_advice.h"
 #include "sigmascape/radar/coherent_sight.h"
+#include "sigmascape/radar/doppler.h"
 #include "sigmascape/radar/doppler_span.h"
 #include "sigmascape/radar/rectangle_distances.h"
 #include "sigmascape/radar/rectangle_parts.h"
