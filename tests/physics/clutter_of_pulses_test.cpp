@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
-#include <numbers>
 
+#include "level_ground_watts.h"
 #include "physics/even_window.h"
 #include "physics/level_terrain.h"
 #include "validation/validation_record.h"
@@ -15,33 +15,21 @@
 namespace sigmascape {
 namespace {
 
-constexpr double height_m = 500.0, peak_power_w = 1e6, gain = 1000.0;
+constexpr double height_m = 500.0;
 
-/// High above level ground, whose beam to the north stands still. Its noise is 90 dB below what the ground returns.
+/// High above level ground, whose beam to the north stands still. Its noise is far below what the ground returns.
 radar::Radar standing_radar(double half_power_width_rad) {
   radar::Radar radar;
   radar.frequency_hz = speed_of_light_mps / 0.03;
   radar.position = {0.0, -2000.0, height_m};
   radar.range_resolution_m = 5.0;
   radar.beam_width_rad = half_power_width_rad;
-  radar.antenna.gain = gain;
+  radar.antenna.gain = 1000.0;
   radar.scan = {.kind = radar::ScanKind::Fixed, .azimuth_rad = 0.0};
-  radar.waveform.peak_power_w = peak_power_w;
+  radar.waveform.peak_power_w = 1e6;
   radar.waveform.window = even_window;
   radar.waveform.pulse_repetition_hz = 1000.0;
   return radar;
-}
-
-/// Watts before the receiver's gain of ground with σ0 = γ h / r about a slant range: what lies under the two-way beam
-/// within a length of cτ/2, which compression neither adds to nor takes from,
-///
-///     P = P_t G² λ² σ0 r θ √(π / (8 ln 2)) c τ / 2 / ((4π)³ r⁴)
-double clutter_w(const radar::Radar& radar, double gamma, double range_m) {
-  const double across_m = range_m * radar.beam_width_rad * std::sqrt(pi / (8.0 * std::numbers::ln2));
-  const double area_m2 = across_m * speed_of_light_mps * radar.waveform.pulse_length_s / 2.0;
-  const double gain_lambda_m = gain * wavelength_m(radar.frequency_hz);
-  return peak_power_w * gain_lambda_m * gain_lambda_m * gamma * height_m / range_m * area_m2 /
-         (std::pow(4.0 * pi, 3.0) * std::pow(range_m, 4.0));
 }
 
 /// Even ground in pulses has the watts that it has in maps and in live frames, whatever the width of the beam: over
@@ -68,7 +56,7 @@ TEST(ClutterOfPulses, has_the_watts_of_the_radar_equation) {
         if (range_m < first_m || range_m > last_m) continue;
         heard_w += static_cast<double>(std::norm(pulses.samples(sample, 0).vv)) /
                    (radar.receiver.impedance_ohm * radar.receiver.gain);
-        expected_w += clutter_w(radar, gamma, range_m);
+        expected_w += level_ground_w(radar, range_m, gamma * height_m / range_m);
       }
     }
     validation::expect_close(

@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "keep_worst.h"
+#include "level_ground_watts.h"
 #include "unit/live/live_ground_example.h"
 #include "validation/validation_record.h"
 
@@ -118,20 +119,6 @@ radar::Radar radar_for(const LiveSettings& bins) {
   return radar;
 }
 
-/// What level ground of that σ0 returns from a range, compressed:
-///
-///     P = P_t G² λ² σ0 A C / ((4π)³ r⁴ L),   A C = r · θ √(π / (8 ln 2)) · c τ / 2
-///
-/// The area A is the beam's two-way angle times the compressed pulse's length; the latter falls as the gain of
-/// compression C rises, whatever the bandwidth and the window.
-double expected_w(const radar::Radar& radar, double range_m, double sigma0) {
-  const double lambda_m = speed_of_light_mps / radar.frequency_hz;
-  const double beam_rad = radar.beam_width_rad * std::sqrt(pi / (8.0 * std::numbers::ln2));
-  const double gained_area_m2 = range_m * beam_rad * speed_of_light_mps * radar.waveform.pulse_length_s / 2.0;
-  return radar.waveform.peak_power_w * std::pow(radar.antenna.gain * lambda_m, 2.0) * sigma0 * gained_area_m2 /
-         (std::pow(4.0 * pi, 3.0) * std::pow(range_m, 4.0) * radar.receiver.losses);
-}
-
 TEST(LiveFrame, OfLevelGroundHasTheReceivedPowerOfTheRadarEquation) {
   const ScratchFolder folder;
   const ExampleGround example = level_ground(false);
@@ -154,7 +141,7 @@ TEST(LiveFrame, OfLevelGroundHasTheReceivedPowerOfTheRadarEquation) {
         const double range_m = pose.first_range_m + (static_cast<double>(range) + 0.5) * bins.range_step_m;
         for (std::size_t beam = 2; beam + 2 < view.beams; ++beam) {
           sum_w += static_cast<double>(received.signal_w(beam, range));
-          wanted_w += expected_w(radar, range_m, part * level_ground_gamma * pose.position.z / range_m);
+          wanted_w += level_ground_w(radar, range_m, part * level_ground_gamma * pose.position.z / range_m);
         }
       }
       const auto bins_of_it = static_cast<double>((view.ranges - 8) * (view.beams - 4));

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 #include "sigmascape/radar/rectangle_distances.h"
 
@@ -49,7 +48,7 @@ Vec3d SightLines::radar_of(std::size_t line) const {
 }
 
 double SightLines::azimuth_rad(std::size_t line) const {
-  if (beam_) return std::atan2(beam_->outwards.x, beam_->outwards.y);
+  if (beam_) return azimuth_of(beam_->outwards);
   return span_.middle_rad + first_ + (static_cast<double>(line) + 0.5) * apart_;
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "drawn_by_hand.h"
+#include "level_ground_watts.h"
 #include "live_ground_example.h"
 
 #include "sigmascape/base/error.h"
@@ -164,8 +165,6 @@ radar::Radar radar_of_widths_a_bin(radar::Radar radar, const LiveSettings& bins,
 
 constexpr double bins_in_widths[] = {0.5, 1.0, 2.0, 4.0};
 
-// P = P_t G² λ² σ0 A C / ((4π)³ r⁴) with σ0 = γ h/r and A C = r · θ √(π / (8 ln 2)) · c τ / 2: the two-way beam's angle
-// times the compressed pulse's length.
 TEST_F(HeardFrameOverGround, EvenGroundHasTheWattsOfTheRadarEquationHoweverWideTheBinsAre) {
   const Pose pose = view_.pose();
   LiveRenderer renderer(ground_, settings());
@@ -178,13 +177,9 @@ TEST_F(HeardFrameOverGround, EvenGroundHasTheWattsOfTheRadarEquationHoweverWideT
       double sum_w = 0.0, expected_w = 0.0;
       for (std::size_t range = 20; range + 20 < view_.ranges; ++range) {
         const double r_m = range_m(static_cast<double>(range) + 0.5), sigma0 = 0.1 * pose.position.z / r_m;
-        const double beam_rad = radar.beam_width_rad * std::sqrt(pi / (8.0 * std::numbers::ln2));
-        const double area_m2 = r_m * beam_rad * speed_of_light_mps * radar.waveform.pulse_length_s / 2.0;
-        const double gain_lambda_m = 1000.0 * wavelength_m(radar.frequency_hz);
         for (std::size_t beam = 10; beam + 10 < view_.beams; ++beam) {
           sum_w += static_cast<double>(watts.signal_w(beam, range));
-          expected_w += 2000.0 * gain_lambda_m * gain_lambda_m * sigma0 * area_m2 /
-                        (std::pow(4.0 * pi, 3.0) * std::pow(r_m, 4.0));
+          expected_w += level_ground_w(radar, r_m, sigma0);
         }
       }
       EXPECT_NEAR(db_from_linear(sum_w / expected_w), 0.0, 0.1) << along << " widths along, " << across << " across";

@@ -19,6 +19,7 @@
 
 #include "counted_allocations.h"
 #include "drawn_by_hand.h"
+#include "level_ground_watts.h"
 #include "live_ground_example.h"
 #include "terrain_short_of_tiles.h"
 
@@ -446,8 +447,6 @@ TEST_F(LiveReceiverOverGround, NothingIsAllocatedOnceItHasHeardAll) {
   EXPECT_EQ(allocations(), before);
 }
 
-// P = P_t G² λ² σ0 A C / ((4π)³ r⁴) with σ0 = γ h/r and A C = r · θ √(π / (8 ln 2)) · c τ / 2, θ the beam's one-way
-// width, over a flat Earth.
 TEST(LiveReceiver, EvenGroundHasTheWattsOfTheRadarEquation) {
   ExampleGround example;
   example.azimuths = 1;
@@ -470,13 +469,9 @@ TEST(LiveReceiver, EvenGroundHasTheWattsOfTheRadarEquation) {
   double sum_w = 0.0, expected_w = 0.0;
   for (std::size_t range = 20; range + 20 < view.ranges; ++range) {
     const double r_m = pose.first_range_m + (static_cast<double>(range) + 0.5) * bins.range_step_m;
-    const double beam_rad = radar.beam_width_rad * std::sqrt(pi / (8.0 * std::numbers::ln2));
-    const double area_m2 = r_m * beam_rad * speed_of_light_mps * radar.waveform.pulse_length_s / 2.0;
-    const double gain_lambda_m = 1000.0 * wavelength_m(radar.frequency_hz);
     for (std::size_t beam = 10; beam + 10 < view.beams; ++beam) {
       sum_w += static_cast<double>(heard.signal_w[beam * view.ranges + range]);
-      expected_w += 2000.0 * gain_lambda_m * gain_lambda_m * 0.1 * pose.position.z / r_m * area_m2 /
-                    (std::pow(4.0 * pi, 3.0) * std::pow(r_m, 4.0));
+      expected_w += level_ground_w(radar, r_m, 0.1 * pose.position.z / r_m);
     }
   }
   EXPECT_NEAR(db_from_linear(sum_w / expected_w), 0.0, 0.1);
