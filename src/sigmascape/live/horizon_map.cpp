@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <span>
 
 #include "sigmascape/live/crown_depth.h"
@@ -11,6 +12,7 @@
 #include "sigmascape/live/horizon_walk.h"
 #include "sigmascape/live/lesser_greater.h"
 #include "sigmascape/radar/look.h"
+#include "sigmascape/radar/sea_horizon.h"
 #include "sigmascape/terrain/obstacle_sweep.h"
 #include "sigmascape/terrain/roof_doubt.h"
 
@@ -75,6 +77,17 @@ void HorizonMap::sweep(std::size_t azimuth, Vec3d radar, const Occluders& occlud
   } else {
     sweep_obstacles(azimuth, radar, occluders, worker);
   }
+  rise_to_sea(azimuth, radar, occluders);
+}
+
+void HorizonMap::rise_to_sea(std::size_t azimuth, Vec3d radar, const Occluders& occluders) {
+  const radar::SeaHorizon sea(radar.z, static_cast<double>(occluders.bounds().lowest_m), 2.0 * grid_.drop_per_square_m);
+  const double before = std::max((sea.distance_m() - grid_.near_m) / grid_.step_m, 0.0);
+  if (!(before < static_cast<double>(grid_.distances))) return;
+  const std::span<float> beyond =
+      std::span(slopes(azimuth), grid_.distances).subspan(static_cast<std::size_t>(std::ceil(before)));
+  const auto horizon = static_cast<float>(sea.slope_before(std::numeric_limits<double>::infinity()));
+  for (float& slope : beyond) slope = greater(slope, horizon);
 }
 
 void HorizonMap::sweep_ground(std::size_t azimuth, Vec3d radar, const Occluders& occluders) {

@@ -25,6 +25,10 @@ class HorizonMap {
   /// Sweeps outwards along one direction. Directions may be swept by different threads, each with a number of its own.
   void sweep(std::size_t azimuth, Vec3d radar, const Occluders& occluders, unsigned worker = 0);
 
+  /// Raises the horizon along one direction to that of the sea, which hides what is beyond it whatever ground is there.
+  /// `sweep` does; after slopes have come another way it is left to do.
+  void rise_to_sea(std::size_t azimuth, Vec3d radar, const Occluders& occluders);
+
   /// How far apart in memory the directions lie. No power of two: what lies across them must fit the caches.
   [[nodiscard]] std::size_t stride() const { return stride_; }
   /// Slopes (rise over distance) along one direction: of the steepest line of sight to all ground up to each node.

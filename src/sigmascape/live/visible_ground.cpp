@@ -52,6 +52,7 @@ void VisibleGround::find(std::size_t first_azimuth, std::size_t count, Vec3d rad
     horizon_.sweep(azimuth, radar, occluders, worker);
     float* const slopes = horizon_.slopes(azimuth);
     trace_horizon(raster_, above, occluders.terrain, grid, azimuth, slopes[0], slopes);
+    horizon_.rise_to_sea(azimuth, radar, occluders);
   });
 }
 

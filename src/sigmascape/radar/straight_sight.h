@@ -26,6 +26,8 @@ struct StraightSight {
   [[nodiscard]] double height_at(double d) const {
     return start.z + d * rise - 0.5 * curvature_per_m * d * (length_m - d);
   }
+  /// Its slope at the radar, outwards, as SeaHorizon has it.
+  [[nodiscard]] double slope_from_radar() const { return -rise - 0.5 * curvature_per_m * length_m; }
   /// Whether it is above that height from there on.
   [[nodiscard]] bool has_left(double height_m, double d) const {
     return height_at(d) > height_m && rise >= 0.5 * curvature_per_m * (length_m - 2.0 * d);

@@ -35,9 +35,10 @@ using SeenSigma0 = std::function<radar::Channels(Vec3d point, ReflectingGround::
 
 SeenSigma0 seen(const ReflectivityField& field, const terrain::HeightField& terrain, const ScattererRequest& request,
                 double) {
-  return [&, highest_m = terrain.highest_m()](Vec3d point, ReflectingGround::Looks&) {
+  return [&, lowest_m = static_cast<double>(terrain.lowest_m()), highest_m = static_cast<double>(terrain.highest_m())](
+             Vec3d point, ReflectingGround::Looks&) {
     const Vec3d radar = request.vantage.place_for({point.x, point.y});
-    if (!line_of_sight(terrain, highest_m, radar, point, request.earth)) return radar::Channels{};
+    if (!line_of_sight(terrain, lowest_m, highest_m, radar, point, request.earth)) return radar::Channels{};
     const Vec3d away = radar - point;
     const double distance_m = std::hypot(away.x, away.y);
     return field({point.x, point.y},

@@ -7,6 +7,7 @@
 #include "sigmascape/atlas/ground_layers.h"
 #include "sigmascape/radar/curved_earth.h"
 #include "sigmascape/radar/look.h"
+#include "sigmascape/radar/sea_horizon.h"
 #include "sigmascape/render/building_layer.h"
 #include "sigmascape/terrain/ground_profile.h"
 #include "sigmascape/terrain/height_field.h"
@@ -48,7 +49,8 @@ class ReflectingGround {
         frequency_hz_(frequency_hz),
         level_(level),
         slope_(slope),
-        earth_(earth) {}
+        earth_(earth),
+        lowest_ground_m_(static_cast<double>(terrain.lowest_m())) {}
 
   /// The same ground with what its buildings return directly, laid over it for this radar: where the atlas keeps them
   /// apart. The layer must outlive it.
@@ -75,6 +77,7 @@ class ReflectingGround {
   template <typename Visit>
   void walk(double azimuth_rad, double near_m, double far_m, double step_m, const Visit& visit) const {
     terrain::ObstacleSweep line_of_sight(radar_position_.z);
+    const radar::SeaHorizon sea(radar_position_.z, lowest_ground_m_, earth_.curvature_per_m());
     // What hides is looked at in strides that no obstacle and no crest is narrower than; every so many a place is
     // visited.
     const std::size_t strides = strides_in(step_m);
@@ -86,6 +89,7 @@ class ReflectingGround {
                   .step_m = stride_m,
                   .count = static_cast<std::size_t>(std::max(0.0, (far_m - near_m) / step_m)) * strides},
                  [&](std::size_t k, double distance_m, Vec3d point, const radar::Obstacle& obstacle) {
+                   line_of_sight.rise_to(sea.slope_before(distance_m));
                    const terrain::Sight sight =
                        line_of_sight.advance(distance_m, point.z - earth_.drop_m(distance_m), obstacle, stride_m);
                    if (k % strides == strides / 2) visit(k / strides, distance_m, point, sight);
@@ -132,6 +136,7 @@ class ReflectingGround {
   double frequency_hz_, level_;
   SlopeModel slope_;
   radar::CurvedEarth earth_;
+  double lowest_ground_m_;
   const BuildingLayer* buildings_ = nullptr;
 };
 

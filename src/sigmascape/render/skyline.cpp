@@ -5,6 +5,7 @@
 
 #include "sigmascape/base/parallel.h"
 #include "sigmascape/radar/look.h"
+#include "sigmascape/radar/sea_horizon.h"
 #include "sigmascape/terrain/ground_profile.h"
 
 namespace sigmascape::render {
@@ -18,16 +19,22 @@ Skyline::Skyline(const radar::ObstacleMap& obstacles, const terrain::HeightField
                  const radar::Vantage& vantage, const radar::Rectangle& area, const radar::CurvedEarth& earth,
                  unsigned threads) {
   const double step_m = std::min(obstacles.grid.cell_m, terrain.spacing_m);
+  const auto lowest_ground_m = static_cast<double>(terrain.lowest_m());
   // Half a step apart, so that one passes a place at no more than a quarter.
   for (const SightLines& lines : SightLines::over(area, vantage, 0.5 * step_m)) {
     const SightLines::Steps steps = lines.steps_over(terrain.extent(), step_m);
     Side& side = sides_.emplace_back(lines, steps, Array2D<Slopes>(steps.kept, lines.count()));
     parallel_for(lines.count(), thread_count(threads), [&](std::size_t line, unsigned) {
       const Vec3d radar = lines.radar_of(line);
+      const radar::SeaHorizon sea(radar.z, lowest_ground_m, earth.curvature_per_m());
       Slopes steepest;
       std::size_t next = 0;  // of those that are kept
       const auto keep_up_to = [&](std::size_t end) {
-        for (; next < std::min(end, steps.kept); ++next) side.slopes(next, line) = steepest;
+        for (; next < std::min(end, steps.kept); ++next) {
+          const double distance_m = steps.kept_from_m() + static_cast<double>(next) * step_m;
+          side.slopes(next, line) = {std::max(steepest.solid, static_cast<float>(sea.slope_before(distance_m))),
+                                     steepest.crowns};
+        }
       };
       terrain::GroundProfile profile(terrain, &obstacles);
       profile.walk({.origin = {radar.x, radar.y},

@@ -5,6 +5,7 @@
 #include <variant>
 
 #include "sigmascape/atlas/ground_layers.h"
+#include "sigmascape/radar/sea_horizon.h"
 #include "sigmascape/radar/straight_sight.h"
 #include "sigmascape/simulate/ground_met.h"
 #include "sigmascape/terrain/obstacle_sweep.h"
@@ -32,11 +33,13 @@ const radar::ObstacleMap* obstacles_of(const render::Reflectivity& sigma0) {
 }
 
 double part_seen(const Surroundings& surroundings, Vec3d radar_position, Vec3d point) {
-  const auto& [terrain, obstacles, earth, highest_m] = surroundings;
+  const auto& [terrain, obstacles, earth, highest_m, lowest_m] = surroundings;
   const Vec2d place{point.x, point.y};
   if (terrain.extent().contains(place)) point.z = std::max(point.z, terrain.height_at(place));
   const radar::StraightSight sight(point, radar_position, earth);
   if (sight.length_m == 0.0) return 1.0;
+  const radar::SeaHorizon sea(radar_position.z, lowest_m, earth.curvature_per_m());
+  if (sight.slope_from_radar() < sea.slope_before(sight.length_m)) return 0.0;
   const double rise = sight.rise;
   const double step_m = obstacles != nullptr ? std::min(obstacles->grid.cell_m, terrain.spacing_m) : terrain.spacing_m;
   const auto depth_within = [rise](const radar::Obstacle& obstacle, double above_m, double length_m) {

@@ -25,6 +25,7 @@ struct Surroundings {
   const radar::ObstacleMap* obstacles = nullptr;
   radar::CurvedEarth earth = radar::CurvedEarth::flat();
   double highest_m = highest_m_of(terrain, obstacles);
+  double lowest_m = static_cast<double>(terrain.lowest_m());
 };
 
 /// The obstacles that an atlas keeps apart from its textures, or none.
@@ -34,7 +35,8 @@ struct Surroundings {
 
 /// The part of a point's power that the radar sees: none behind a hill or a house, e^−κs through crowns, once for both
 /// ways, for they share their gaps (docs/physics/vegetation.md). A point under the ground is seen as one on it. By a
-/// march along the straight line between them, in steps of the obstacles or the terrain. What stands on a roof, to
+/// march along the straight line between them, in steps of the obstacles or the terrain; beside the terrain only what
+/// the round Earth hides is hidden (radar/sea_horizon.h). What stands on a roof, to
 /// within what squares of obstacles know of its height (terrain/roof_doubt.h), is not within the house.
 [[nodiscard]] double part_seen(const Surroundings& surroundings, Vec3d radar_position, Vec3d point);
 /// The same by a ray through the whole scene, on its terrain. `surfaces`: those of the scene at the radar's frequency.

@@ -70,6 +70,9 @@ class ObstacleSweep {
  public:
   explicit ObstacleSweep(double observer_height_m) : observer_height_m_(observer_height_m) {}
 
+  /// What lies on the way, told to nobody, hides all under lines of sight that are less steep.
+  void rise_to(double slope) { horizon_ = std::max(horizon_, slope); }
+
   /// Takes the next piece of the way, `step_m` long, around the distance `distance_m`. An obstacle hides the ground
   /// that it stands on as well.
   Sight advance(double distance_m, double ground_m, const radar::Obstacle& obstacle, double step_m) {

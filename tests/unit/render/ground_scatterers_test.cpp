@@ -132,6 +132,29 @@ TEST_P(StripGround, AnswersOnBothSidesOfTheTrack) {
 INSTANTIATE_TEST_SUITE_P(OfFieldAndAtlas, StripGround, ::testing::Bool(),
                          [](const auto& instance) { return instance.param ? "atlas" : "field"; });
 
+/// A hillside that faces a low radar, 60 km away over ground that nobody knows: what the sea hides of it is not there.
+TEST(GroundScatterers, BeyondTheHorizonAreOfWhatRisesAboveIt) {
+  terrain::HeightField hillside = ground_with_tower(0.0F);
+  for (std::size_t row = 0; row < 257; ++row) {
+    const auto height_m = std::clamp(0.2F * static_cast<float>(178 - static_cast<int>(row)) * 2.0F, 0.0F, 40.0F);
+    for (std::size_t column = 0; column < 257; ++column) hillside.height_m(column, row) = height_m;
+  }
+  const radar::CurvedEarth earth;
+  const Vec3d radar{256.0, -60e3, 100.0};
+  const atlas::Atlas atlas = gamma_atlas();
+  const radar::ScattererLattice lattice({.seed = 3, .cell_m = 1.0, .levels = 1});
+  const auto bright = [](Vec2d, const radar::Aspect&) { return radar::Channels{1.0F, 1.0F, 0.0F, 1.0F}; };
+  for (const Reflectivity& sigma0 : {Reflectivity(ReflectivityField(bright)), reflectivity_of(atlas, 10e9, 1.0)}) {
+    const auto seen =
+        ground_scatterers(hillside, sigma0, lattice,
+                          {.vantage = radar::Vantage(radar), .area = {200.0, 100.0, 312.0, 400.0}, .earth = earth});
+    ASSERT_FALSE(seen.empty());
+    const auto lowest = std::ranges::min_element(seen, {}, [](const auto& one) { return one.position.z; });
+    const double distance_m = lowest->position.y - radar.y;
+    EXPECT_NEAR(lowest->position.z, earth.drop_m(distance_m - earth.horizon_m(radar.z)), 0.5);
+  }
+}
+
 TEST(GroundScatterers, SayWhatMakesThemFewer) {
   const terrain::HeightField terrain = ground_with_tower(0.0F);
   const radar::ScattererLattice lattice({.seed = 3, .cell_m = 0.01, .levels = 1});

@@ -76,5 +76,18 @@ TEST(Skyline, FallsAwayWithTheEarth) {
   EXPECT_NEAR(skyline.before({}).solid, Skyline::slope_to({}, radar, earth), 1e-6);
 }
 
+// Of the 100 km of sea before the area nothing is known but that the Earth is round.
+TEST(Skyline, IsTheSeaBeyondItsHorizon) {
+  const radar::CurvedEarth earth;
+  const Vec3d radar{0.0, -100e3, 100.0};
+  const auto terrain = level_ground();
+  const auto bare = obstacles([](Vec2d) { return radar::Obstacle{}; });
+  const double horizon_m = earth.horizon_m(radar.z);
+  const double to_horizon = Skyline::slope_to({0.0, radar.y + horizon_m, 0.0}, radar, earth);
+  for (const double y : {-50.0, 50.0}) {
+    EXPECT_NEAR(Skyline(bare, terrain, radar::Vantage(radar), area, earth).before({0.0, y}).solid, to_horizon, 1e-7);
+  }
+}
+
 }  // namespace
 }  // namespace sigmascape::render
