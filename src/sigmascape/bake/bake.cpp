@@ -15,10 +15,8 @@
 #include "sigmascape/atlas/ground_layers.h"
 #include "sigmascape/atlas/power_error.h"
 #include "sigmascape/atlas/pyramid.h"
-#include "sigmascape/atlas/terrain_file.h"
 #include "sigmascape/atlas/texture_file.h"
 #include "sigmascape/atlas/texture_name.h"
-#include "sigmascape/bake/buildings_of.h"
 #include "sigmascape/bake/claims.h"
 #include "sigmascape/bake/ground_baker.h"
 #include "sigmascape/bake/job.h"
@@ -27,10 +25,8 @@
 #include "sigmascape/bake/mean_ground.h"
 #include "sigmascape/bake/part_progress.h"
 #include "sigmascape/bake/patch_room.h"
+#include "sigmascape/bake/shape_files.h"
 #include "sigmascape/geo/atomic_file.h"
-#include "sigmascape/terrain/height_field_file.h"
-#include "sigmascape/terrain/pyramid_builder.h"
-#include "sigmascape/terrain/pyramid_files.h"
 #include "sigmascape/trace/simd_setting.h"
 
 namespace sigmascape::bake {
@@ -99,8 +95,10 @@ class BakeRun {
     mend_catalogs();
     const std::vector<OpenJob> open = open_jobs();
     tell_progress();
-    make_terrain(scene);
-    if (settings_.buildings != Buildings::Baked) make_buildings(scene);
+    const bool keeps_buildings = settings_.buildings != Buildings::Baked;
+    for (atlas::StoreFault& fault :
+         write_shape_files(scene, store_, keeps_buildings, claims_, share_.scrutiny, progress_))
+      note(std::move(fault));
     if (settings_.shadows == Shadows::RunTime) {
       for (atlas::StoreFault& fault : bake_ground(scene, store_, share_.shard, share_.scrutiny, &progress_))
         note(std::move(fault));
@@ -235,67 +233,6 @@ class BakeRun {
         note(std::move(fault), store);
       }
     }
-  }
-
-  void make_terrain(const scene::Scene& scene) {
-    if (!atlas::terrain_fault(store_, share_.scrutiny) && pyramid_faults(scene).empty()) return;
-    // Two at once would take each other's unfinished files for those of other heights.
-    const Claims::Claim claim = claims_.take(terrain_claim(store_.description()), [this] {
-      progress_.waiting("bake", "another process that makes the terrain");
-    });
-    make_heights(scene);
-    make_pyramid(scene);
-  }
-
-  void make_heights(const scene::Scene& scene) {
-    auto fault = atlas::terrain_fault(store_, share_.scrutiny);
-    if (!fault) return;
-    const geo::LocalFrame& frame = store_.description().frame;
-    terrain::write_height_field(store_.folder() / atlas::terrain_name, scene.terrain, frame.proj());
-    atlas::vouch_for_terrain(store_);
-    note(std::move(*fault));
-  }
-
-  void make_buildings(const scene::Scene& scene) {
-    if (!atlas::buildings_fault(store_, share_.scrutiny)) return;
-    const Claims::Claim claim = claims_.take(terrain_claim(store_.description()), [this] {
-      progress_.waiting("bake", "another process that makes the buildings");
-    });
-    auto fault = atlas::buildings_fault(store_, share_.scrutiny);
-    if (!fault) return;
-    atlas::write_buildings(store_, buildings_of(scene, store_.description().aspects.frequencies_hz));
-    note(std::move(*fault));
-  }
-
-  void make_pyramid(const scene::Scene& scene) {
-    std::vector<atlas::StoreFault> faults = pyramid_faults(scene);
-    if (faults.empty()) return;
-    terrain::build_pyramid(pyramid_folder(), scene.terrain, store_.description().frame);
-    for (atlas::StoreFault& fault : faults) note(std::move(fault));
-  }
-
-  [[nodiscard]] std::filesystem::path pyramid_folder() const { return store_.folder() / atlas::terrain_pyramid_name; }
-
-  /// What is wrong with the terrain's tiles. Those that `sigmascape atlas terrain` made, from a raster, are left as
-  /// they are; those that a bake made of another scene are not this atlas'. Without a heading that can be understood
-  /// nothing tells of what heights they are.
-  [[nodiscard]] std::vector<atlas::StoreFault> pyramid_faults(const scene::Scene& scene) const {
-    const auto as_of_atlas = [](const terrain::PyramidFault& fault, bool is_absent) {
-      return atlas::StoreFault{atlas::terrain_pyramid_name / fault.file, fault.what, is_absent};
-    };
-    const std::filesystem::path folder = pyramid_folder();
-    if (const auto fault = terrain::heading_fault(folder))
-      return {as_of_atlas(*fault, !terrain::holds_pyramid(folder))};
-    const geo::LocalFrame& frame = store_.description().frame;
-    if (!terrain::holds_pyramid_of(folder, scene.terrain, frame)) {
-      if (!terrain::holds_pyramid_of_a_field(folder)) return {};
-      return {as_of_atlas({terrain::heading_name, "is of other heights than the scene's"}, false)};
-    }
-    const bool is_read = share_.scrutiny == atlas::Scrutiny::Content;
-    const auto found = is_read ? terrain::verify_pyramid(folder, frame) : terrain::missing_files(folder);
-    std::vector<atlas::StoreFault> faults;
-    for (const terrain::PyramidFault& fault : found) faults.push_back(as_of_atlas(fault, false));
-    return faults;
   }
 
   void remove_leftovers(const Job& job) const {
