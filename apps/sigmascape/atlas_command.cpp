@@ -18,7 +18,7 @@
 #include "sigmascape/atlas/store.h"
 #include "sigmascape/atlas/texture_file.h"
 #include "sigmascape/atlas/verify.h"
-#include "sigmascape/terrain/pyramid_builder.h"
+#include "sigmascape/terrain/pyramid_faults.h"
 
 namespace sigmascape::cli {
 namespace {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "sigmascape/atlas/store.h"
-#include "sigmascape/terrain/pyramid_builder.h"
+#include "sigmascape/terrain/pyramid_faults.h"
 
 namespace sigmascape::cli {
 

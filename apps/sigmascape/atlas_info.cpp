@@ -18,7 +18,8 @@
 #include "sigmascape/atlas/atlas_summary.h"
 #include "sigmascape/atlas/store.h"
 #include "sigmascape/base/units.h"
-#include "sigmascape/terrain/pyramid_builder.h"
+#include "sigmascape/geo/coordinate_transform.h"
+#include "sigmascape/terrain/pyramid_faults.h"
 
 namespace sigmascape::cli {
 namespace {

@@ -24,6 +24,7 @@
 #include "sigmascape/terrain/height_difference.h"
 #include "sigmascape/terrain/height_field_file.h"
 #include "sigmascape/terrain/pyramid_builder.h"
+#include "sigmascape/terrain/pyramid_files.h"
 
 namespace sigmascape::cli {
 namespace {

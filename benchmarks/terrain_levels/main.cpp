@@ -16,7 +16,7 @@
 #include "sigmascape/radar/look.h"
 #include "sigmascape/radar/radar.h"
 #include "sigmascape/render/level_of_detail.h"
-#include "sigmascape/terrain/pyramid_builder.h"
+#include "sigmascape/terrain/pyramid_levels.h"
 #include "sigmascape/terrain/terrain_reader.h"
 #include "sigmascape/terrain/terrain_window.h"
 

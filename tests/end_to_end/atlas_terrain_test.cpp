@@ -13,7 +13,7 @@
 #include "sigmascape/atlas/store.h"
 #include "sigmascape/atlas/terrain_file.h"
 #include "sigmascape/terrain/height_field_file.h"
-#include "sigmascape/terrain/pyramid_builder.h"
+#include "sigmascape/terrain/pyramid_files.h"
 
 namespace sigmascape::end_to_end {
 namespace {

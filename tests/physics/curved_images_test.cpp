@@ -119,9 +119,9 @@ TEST(CurvedImages, see_ground_at_its_grazing_angle_as_far_as_the_horizon) {
   // The patch of terrain alone stands in the way, and what lies below its own horizontal is seen by nobody: at 60 km
   // the sea has sunk by 212 m.
   EXPECT_LT(seen_from(200.0).size(), 100U);
-  const simulate::Surroundings surroundings{terrain, nullptr, earth};
-  EXPECT_EQ(simulate::part_seen(surroundings, {0.0, 0.0, 5000.0}, {0.0, distance_m, 120.5}), 1.0);
-  EXPECT_EQ(simulate::part_seen(surroundings, {0.0, 0.0, 200.0}, {0.0, distance_m, 120.5}), 0.0);
+  const simulate::Obstructions obstructions{terrain, nullptr, earth};
+  EXPECT_EQ(simulate::part_seen(obstructions, {0.0, 0.0, 5000.0}, {0.0, distance_m, 120.5}), 1.0);
+  EXPECT_EQ(simulate::part_seen(obstructions, {0.0, 0.0, 200.0}, {0.0, distance_m, 120.5}), 0.0);
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "sigmascape/bake/buildings_of.h"
 #include "sigmascape/terrain/height_field_file.h"
 #include "sigmascape/terrain/pyramid_builder.h"
+#include "sigmascape/terrain/pyramid_faults.h"
 #include "sigmascape/terrain/pyramid_files.h"
 
 namespace sigmascape::bake {

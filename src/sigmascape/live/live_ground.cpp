@@ -11,7 +11,9 @@
 #include "sigmascape/atlas/terrain_file.h"
 #include "sigmascape/base/error.h"
 #include "sigmascape/terrain/height_field_file.h"
-#include "sigmascape/terrain/pyramid_builder.h"
+#include "sigmascape/terrain/pyramid_faults.h"
+#include "sigmascape/terrain/pyramid_files.h"
+#include "sigmascape/terrain/pyramid_levels.h"
 
 namespace sigmascape::live {
 namespace {

@@ -101,6 +101,7 @@ LiveRenderer::LiveRenderer(std::shared_ptr<LiveGround> ground, const LiveSetting
   frame_.frequency_hz = ground_->frequency_hz();
   frame_.earth = {.refraction = settings.refraction};
   frame_.beams = beams_.all();
+  bins_.show_in(frame_);
   for (unsigned worker = 0; worker < team_.size(); ++worker)
     tasks_.push_back(std::make_unique<SectorTask>(FrameParts{*ground_, settings_, lattice_, horizon_of_, occluders_of_,
                                                              sectors_, shadows_, bounds_, bins_.numbers()}));
@@ -223,8 +224,6 @@ void LiveRenderer::prepare(const Pose& pose) {
   grid.step_m = (reach.far_m - reach.near_m) / static_cast<double>(grid.distances);
   grid.drop_per_square_m = 0.5 * earth.curvature_per_m();
   for (VisibleGround& ground : visible_) ground.reset(grid, ground_->obstacles() != nullptr);
-
-  bins_.show_in(frame_);
 }
 
 radar::Rectangle LiveRenderer::under(Beams beams, Vec3d radar, double near_m, double far_m) const {

@@ -200,10 +200,10 @@ CoherentSettings spaced(CoherentSettings settings, double spacing_m) {
 std::vector<radar::Target> targets_heard(const CoherentScene& scene, const radar::Radar& radar,
                                          const radar::Vantage& vantage) {
   if (scene.targets.empty()) return {};
-  const Surroundings surroundings{*scene.terrain, obstacles_of(scene.sigma0), radar::earth_of(radar)};
+  const Obstructions obstructions{*scene.terrain, obstacles_of(scene.sigma0), radar::earth_of(radar)};
   std::vector<radar::Target> heard;
   for (const TargetInSight& sight : targets_in_sight(
-           scene.targets, vantage, [&](Vec3d from, Vec3d point) { return part_seen(surroundings, from, point); })) {
+           scene.targets, vantage, [&](Vec3d from, Vec3d point) { return part_seen(obstructions, from, point); })) {
     if (!(sight.part_seen > 0.0)) continue;
     heard.push_back(radar::bent(radar::weakened(*sight.target, sight.part_seen), radar::earth_of(radar),
                                 {radar.position.x, radar.position.y}, sight.time_s));
@@ -490,11 +490,11 @@ radar::StripmapImage stripmap_image(const CoherentScene& scene, const radar::Rad
                   settings.threads);
 }
 
-void add_targets(radar::RangeAzimuthImage& image, const radar::Radar& radar, const Surroundings& surroundings,
+void add_targets(radar::RangeAzimuthImage& image, const radar::Radar& radar, const Obstructions& obstructions,
                  std::span<const radar::Target> targets, const radar::Moment& moment) {
   if (targets.empty()) return;
   const auto seen = seen_targets(targets, moment.time_s,
-                                 [&](Vec3d position) { return part_seen(surroundings, radar.position, position); });
+                                 [&](Vec3d position) { return part_seen(obstructions, radar.position, position); });
   receiver::add_echoes(image, radar, receiver::target_echoes(seen, radar, moment));
 }
 

@@ -101,9 +101,9 @@ void stripmap_looks(const CoherentScene& scene, const radar::Radar& radar, const
 /// To which side of its course the radar looks at an area (radar::look_side).
 [[nodiscard]] const char* look_side(const radar::Radar& radar, const radar::Rectangle& area);
 
-/// Adds the targets that the radar sees in these surroundings to an image of the power mode, of whatever level of
+/// Adds the targets that the radar sees past these obstructions to an image of the power mode, of whatever level of
 /// detail.
-void add_targets(radar::RangeAzimuthImage& image, const radar::Radar& radar, const Surroundings& surroundings,
+void add_targets(radar::RangeAzimuthImage& image, const radar::Radar& radar, const Obstructions& obstructions,
                  std::span<const radar::Target> targets, const radar::Moment& moment);
 
 }  // namespace sigmascape::simulate

@@ -95,6 +95,7 @@ LiveTracer::LiveTracer(const scene::Scene& scene, const trace::SceneGeometry& ge
   frame_.frequency_hz = tracing_.frequency_hz;
   frame_.earth = {.refraction = settings_.refraction};
   frame_.beams = drawn_.all();
+  bins_.show_in(frame_);
 }
 
 LiveTracer::~LiveTracer() = default;
@@ -139,7 +140,6 @@ const live::Frame& LiveTracer::scan(const live::Pose& pose, std::size_t first_be
 void LiveTracer::begin(const live::Pose& pose) {
   steps_.clear();
   grid_ = live::bins_of(settings_, pose);
-  bins_.show_in(frame_);
   look_ = look_of(pose);
   lattice_level_ = lattice_level(look_);
   if (is_empty(look_.ground)) return;

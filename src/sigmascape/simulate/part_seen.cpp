@@ -32,8 +32,8 @@ const radar::ObstacleMap* obstacles_of(const render::Reflectivity& sigma0) {
   return textures != nullptr ? obstacles_of(*textures->atlas) : nullptr;
 }
 
-double part_seen(const Surroundings& surroundings, Vec3d radar_position, Vec3d point) {
-  const auto& [terrain, obstacles, earth, highest_m, lowest_m] = surroundings;
+double part_seen(const Obstructions& obstructions, Vec3d radar_position, Vec3d point) {
+  const auto& [terrain, obstacles, earth, highest_m, lowest_m] = obstructions;
   const Vec2d place{point.x, point.y};
   if (terrain.extent().contains(place)) point.z = std::max(point.z, terrain.height_at(place));
   const radar::StraightSight sight(point, radar_position, earth);

@@ -19,7 +19,7 @@ namespace sigmascape::simulate {
 [[nodiscard]] double highest_m_of(const terrain::HeightField& terrain, const radar::ObstacleMap* obstacles);
 
 /// What may stand between targets and the radar where there are only terrain and an atlas. Made once for all of them.
-struct Surroundings {
+struct Obstructions {
   const terrain::HeightField& terrain;
   /// What stands on the ground, of an atlas that keeps it apart; without it only the terrain hides.
   const radar::ObstacleMap* obstacles = nullptr;
@@ -38,7 +38,7 @@ struct Surroundings {
 /// march along the straight line between them, in steps of the obstacles or the terrain; beside the terrain only what
 /// the round Earth hides is hidden (radar/sea_horizon.h). What stands on a roof, to
 /// within what squares of obstacles know of its height (terrain/roof_doubt.h), is not within the house.
-[[nodiscard]] double part_seen(const Surroundings& surroundings, Vec3d radar_position, Vec3d point);
+[[nodiscard]] double part_seen(const Obstructions& obstructions, Vec3d radar_position, Vec3d point);
 /// The same by a ray through the whole scene, on its terrain. `surfaces`: those of the scene at the radar's frequency.
 [[nodiscard]] double part_seen(const trace::SceneGeometry& geometry, const std::vector<scatter::SurfaceModel>& surfaces,
                                Vec3d radar_position, Vec3d point);

@@ -60,9 +60,9 @@ TargetsSeen told_of(std::span<const TargetInSight> targets, const std::optional<
 std::vector<TargetInSight> sights_of(std::span<const radar::Target> targets, const radar::Radar& radar,
                                      const radar::Rectangle& area, const terrain::HeightField& terrain,
                                      const radar::ObstacleMap* obstacles) {
-  const Surroundings surroundings{terrain, obstacles, radar::earth_of(radar)};
+  const Obstructions obstructions{terrain, obstacles, radar::earth_of(radar)};
   return targets_in_sight(targets, radar::vantage_of(radar, area.centre()),
-                          [&](Vec3d from, Vec3d point) { return part_seen(surroundings, from, point); });
+                          [&](Vec3d from, Vec3d point) { return part_seen(obstructions, from, point); });
 }
 
 }  // namespace

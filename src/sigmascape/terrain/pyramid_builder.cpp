@@ -10,114 +10,15 @@
 #include "sigmascape/base/error.h"
 #include "sigmascape/base/sha256.h"
 #include "sigmascape/geo/is_absent.h"
+#include "sigmascape/terrain/pyramid_faults.h"
 #include "sigmascape/terrain/pyramid_files.h"
+#include "sigmascape/terrain/pyramid_levels.h"
 
 namespace sigmascape::terrain {
 namespace {
 
-constexpr auto cells_a_side = static_cast<std::int64_t>(HeightTile::cells);
 /// Rises when the same raster gives other heights, so that tiles of both are never mixed.
 constexpr int revision_of_heights = 3;
-
-/// Nodes of one finished level, wherever they stand; remembers a few tiles.
-class LevelNodes {
- public:
-  LevelNodes(const PyramidLayout& layout, int level, const TerrainPyramid::Reader& read)
-      : layout_(layout), level_(level), read_(read) {}
-
-  /// Nodes of the level from (column, row) on; beyond the last tile its edge goes on.
-  Array2D<float> block(std::int64_t column, std::int64_t row, std::size_t side) {
-    Array2D<float> result(side, side);
-    const std::int64_t last_column = cells_a_side * layout_.across(level_),
-                       last_row = cells_a_side * layout_.down(level_);
-    for (std::size_t j = 0; j < side; ++j) {
-      const std::int64_t at_row = std::clamp<std::int64_t>(row + static_cast<std::int64_t>(j), 0, last_row);
-      for (std::size_t i = 0; i < side; ++i) {
-        const std::int64_t at_column = std::clamp<std::int64_t>(column + static_cast<std::int64_t>(i), 0, last_column);
-        const auto tile_column = std::min<std::int64_t>(at_column / cells_a_side, layout_.across(level_) - 1);
-        const auto tile_row = std::min<std::int64_t>(at_row / cells_a_side, layout_.down(level_) - 1);
-        const HeightTile& held =
-            tile({level_, static_cast<std::uint32_t>(tile_column), static_cast<std::uint32_t>(tile_row)});
-        const auto within = static_cast<std::size_t>(at_row - cells_a_side * tile_row) * HeightTile::nodes +
-                            static_cast<std::size_t>(at_column - cells_a_side * tile_column);
-        result(i, j) = held.height_m[within];
-      }
-    }
-    return result;
-  }
-
- private:
-  const HeightTile& tile(TileKey key) {
-    if (latest_ != nullptr && key == latest_key_) return *latest_;
-    constexpr std::size_t most = 24;
-    auto found = tiles_.find(key);
-    if (found == tiles_.end()) {
-      if (tiles_.size() >= most) tiles_.clear();
-      found = tiles_.emplace(key, read_(key)).first;
-    }
-    latest_key_ = key;
-    latest_ = found->second.get();
-    return *latest_;
-  }
-
-  const PyramidLayout& layout_;
-  int level_;
-  const TerrainPyramid::Reader& read_;
-  std::map<TileKey, std::shared_ptr<const HeightTile>> tiles_;
-  TileKey latest_key_;
-  const HeightTile* latest_ = nullptr;
-};
-
-void note_bounds(HeightTile& tile) {
-  const auto [lowest, highest] = std::ranges::minmax_element(tile.height_m);
-  tile.summary.lowest_m = *lowest;
-  tile.summary.highest_m = *highest;
-}
-
-/// A tile from a block of the finer level that begins one node before it.
-HeightTile coarser(const Array2D<float>& finer) {
-  HeightTile tile{.height_m = std::vector<float>(HeightTile::nodes * HeightTile::nodes)};
-  for (std::size_t row = 0; row < HeightTile::nodes; ++row) {
-    for (std::size_t column = 0; column < HeightTile::nodes; ++column) {
-      float sum = 0.0F;
-      for (std::size_t j = 0; j < 3; ++j) {
-        for (std::size_t i = 0; i < 3; ++i) {
-          const float weight = (i == 1 ? 2.0F : 1.0F) * (j == 1 ? 2.0F : 1.0F);
-          sum += weight * finer(2 * column + i, 2 * row + j);
-        }
-      }
-      tile.height_m[row * HeightTile::nodes + column] = sum / 16.0F;
-    }
-  }
-  note_bounds(tile);
-  return tile;
-}
-
-/// The furthest that a node of the finer level lies from the tile's surface. No point between nodes lies further: the
-/// difference of two bilinear surfaces is bilinear within each finer cell.
-float distance_between(const HeightTile& tile, const Array2D<float>& finer) {
-  float furthest = 0.0F;
-  for (std::size_t row = 0; row <= 2 * HeightTile::cells; ++row) {
-    for (std::size_t column = 0; column <= 2 * HeightTile::cells; ++column) {
-      const float surface = tile.at(0.5 * static_cast<double>(column), 0.5 * static_cast<double>(row));
-      furthest = std::max(furthest, std::abs(surface - finer(column + 1, row + 1)));
-    }
-  }
-  return furthest;
-}
-
-/// Bounds and greatest error of a tile's children, and its own bounds.
-TileSummary joined_with_children(TileKey key, TileSummary joined, const Array2D<TileSummary>& finer) {
-  const std::size_t first_column = std::size_t{2} * key.column, first_row = std::size_t{2} * key.row;
-  for (std::size_t row = first_row; row < std::min(first_row + 2, finer.rows()); ++row) {
-    for (std::size_t column = first_column; column < std::min(first_column + 2, finer.columns()); ++column) {
-      const TileSummary& child = finer(column, row);
-      joined = {std::min(joined.lowest_m, child.lowest_m), std::max(joined.highest_m, child.highest_m),
-                std::max(joined.error_m, child.error_m)};
-    }
-  }
-  return joined;
-}
 
 /// Whether a folder holds the pyramid of these heights, finished or begun by the name of its heading.
 bool holds(const std::filesystem::path& folder, std::string_view name, const PyramidHeading& heading) {
@@ -226,53 +127,6 @@ PyramidHeading heading_of(const HeightField& field, const geo::LocalFrame& frame
           .is_of_field = true};
 }
 
-/// What is wrong with one of the files of a folder, if anything; `read` throws Error when it is not as it was written.
-template <typename Read>
-std::optional<PyramidFault> fault_of(const std::filesystem::path& folder, const std::filesystem::path& file,
-                                     const Read& read) {
-  std::error_code error;
-  const bool is_there = std::filesystem::exists(file, error);
-  const std::filesystem::path name = file.lexically_relative(folder);
-  if (error) return PyramidFault{name, fmt::format("cannot be read ({})", error.message())};
-  if (!is_there) return PyramidFault{name, "is missing"};
-  try {
-    read();
-    return std::nullopt;
-  } catch (const Error&) {
-    return PyramidFault{name, "is truncated or was altered"};
-  }
-}
-
-/// Calls `on_file(file, read)` for every file that the heading speaks of; `read(crs)` reads it whole.
-template <typename OnFile>
-void for_each_file(const std::filesystem::path& folder, const OnFile& on_file) {
-  const PyramidHeading heading = read_heading(folder / heading_name);
-  for (int level = 0; level < heading.layout.levels(); ++level) {
-    on_file(index_path(folder, level),
-            [&](const std::string&) { static_cast<void>(read_index(folder, heading, level)); });
-    for (std::uint32_t row = 0; row < heading.layout.down(level); ++row) {
-      for (std::uint32_t column = 0; column < heading.layout.across(level); ++column) {
-        const TileKey key{level, column, row};
-        on_file(tile_path(folder, key),
-                [&](const std::string& crs) { static_cast<void>(read_whole_tile(folder, heading.layout, crs, key)); });
-      }
-    }
-  }
-}
-
-/// Nodes of a tile from a field, whose edge goes on beyond it.
-std::vector<float> nodes_of_field(const HeightField& field, TileKey key) {
-  std::vector<float> nodes(HeightTile::nodes * HeightTile::nodes);
-  for (std::size_t j = 0; j < HeightTile::nodes; ++j) {
-    const std::size_t row = std::min(HeightTile::cells * key.row + j, field.height_m.rows() - 1);
-    for (std::size_t i = 0; i < HeightTile::nodes; ++i) {
-      const std::size_t column = std::min(HeightTile::cells * key.column + i, field.height_m.columns() - 1);
-      nodes[j * HeightTile::nodes + i] = field.height_m(column, row);
-    }
-  }
-  return nodes;
-}
-
 /// How many nodes of a tile lie in an extent and have no height; those that the next tile has as well are its own.
 std::size_t holes_within(const Array2D<float>& heights, const geo::Lattice& tile, const radar::Rectangle& extent) {
   std::size_t holes = 0;
@@ -304,51 +158,6 @@ void go_on_beyond(const radar::Rectangle& extent, const geo::Lattice& tile, Arra
 }
 
 }  // namespace
-
-std::vector<Array2D<TileSummary>> build_tiles(const PyramidLayout& layout, const FinestHeights& finest,
-                                              const std::function<void(TileKey, const HeightTile&)>& keep,
-                                              const TerrainPyramid::Reader& read, const TerrainPyramid::Reader& there) {
-  std::vector<Array2D<TileSummary>> summaries;
-  for (int level = 0; level < layout.levels(); ++level) {
-    Array2D<TileSummary> of_level(layout.across(level), layout.down(level));
-    LevelNodes nodes(layout, level - 1, read);
-    for (std::uint32_t row = 0; row < layout.down(level); ++row) {
-      for (std::uint32_t column = 0; column < layout.across(level); ++column) {
-        const TileKey key{level, column, row};
-        if (const auto made = there ? there(key) : nullptr) {
-          of_level(column, row) = made->summary;
-          continue;
-        }
-        HeightTile tile;
-        if (level == 0) {
-          tile.height_m = finest(key);
-          note_bounds(tile);
-        } else {
-          const auto finer =
-              nodes.block(2 * cells_a_side * column - 1, 2 * cells_a_side * row - 1, 2 * HeightTile::cells + 3);
-          tile = coarser(finer);
-          tile.summary = joined_with_children(key, tile.summary, summaries.back());
-          tile.summary.error_m += distance_between(tile, finer);
-        }
-        keep(key, tile);
-        of_level(column, row) = tile.summary;
-      }
-    }
-    summaries.push_back(std::move(of_level));
-  }
-  return summaries;
-}
-
-TerrainPyramid pyramid_in_memory(const HeightField& field) {
-  const auto layout = PyramidLayout::covering(field.extent(), field.spacing_m);
-  const auto tiles = std::make_shared<std::map<TileKey, std::shared_ptr<const HeightTile>>>();
-  const TerrainPyramid::Reader read = [tiles](TileKey key) { return tiles->at(key); };
-  auto summaries = build_tiles(
-      layout, [&](TileKey key) { return nodes_of_field(field, key); },
-      [&](TileKey key, const HeightTile& tile) { tiles->emplace(key, std::make_shared<const HeightTile>(tile)); },
-      read);
-  return {layout, field.extent(), std::move(summaries), read, tiles->size() * HeightTile::bytes};
-}
 
 PyramidBuild build_pyramid(const std::filesystem::path& folder, const TerrainSource& source,
                            const geo::LocalFrame& frame, const radar::Rectangle& extent, double no_data_height_m) {
@@ -409,51 +218,8 @@ std::size_t build_pyramid(const std::filesystem::path& folder, const HeightField
                        [&](TileKey key) { return nodes_of_field(field, key); });
 }
 
-bool holds_pyramid(const std::filesystem::path& folder) {
-  return !geo::is_absent(folder / heading_name);
-}
-
-bool holds_pyramid_of_a_field(const std::filesystem::path& folder) {
-  return !heading_fault(folder) && read_heading(folder / heading_name).is_of_field;
-}
-
 bool holds_pyramid_of(const std::filesystem::path& folder, const HeightField& field, const geo::LocalFrame& frame) {
   return holds(folder, heading_name, heading_of(field, frame));
-}
-
-std::optional<PyramidFault> heading_fault(const std::filesystem::path& folder) {
-  const std::filesystem::path file = folder / heading_name;
-  return fault_of(folder, file, [&] { static_cast<void>(read_heading(file)); });
-}
-
-std::vector<PyramidFault> verify_pyramid(const std::filesystem::path& folder, const geo::LocalFrame& frame) {
-  if (const auto fault = heading_fault(folder)) return {*fault};
-  std::vector<PyramidFault> faults;
-  const std::string crs = frame.proj();
-  for_each_file(folder, [&](const std::filesystem::path& file, const auto& read) {
-    if (auto fault = fault_of(folder, file, [&] { read(crs); })) faults.push_back(std::move(*fault));
-  });
-  return faults;
-}
-
-std::vector<PyramidFault> missing_files(const std::filesystem::path& folder) {
-  if (const auto fault = heading_fault(folder)) return {*fault};
-  std::vector<PyramidFault> faults;
-  for_each_file(folder, [&](const std::filesystem::path& file, const auto&) {
-    std::error_code error;
-    if (!std::filesystem::exists(file, error)) faults.push_back({file.lexically_relative(folder), "is missing"});
-  });
-  return faults;
-}
-
-TerrainPyramid open_pyramid(const std::filesystem::path& folder, std::size_t budget_bytes) {
-  const PyramidHeading heading = read_heading(folder / heading_name);
-  std::vector<Array2D<TileSummary>> summaries;
-  for (int level = 0; level < heading.layout.levels(); ++level) {
-    summaries.push_back(read_index(folder, heading, level));
-  }
-  return {heading.layout, heading.extent, std::move(summaries),
-          [folder = std::filesystem::absolute(folder)](TileKey key) { return read_tile(folder, key); }, budget_bytes};
 }
 
 }  // namespace sigmascape::terrain

@@ -253,4 +253,14 @@ void write_heading(const std::filesystem::path& file_name, const PyramidHeading&
   geo::write_atomically(file_name, sealed(std::move(text)));
 }
 
+TerrainPyramid open_pyramid(const std::filesystem::path& folder, std::size_t budget_bytes) {
+  const PyramidHeading heading = read_heading(folder / heading_name);
+  std::vector<Array2D<TileSummary>> summaries;
+  for (int level = 0; level < heading.layout.levels(); ++level) {
+    summaries.push_back(read_index(folder, heading, level));
+  }
+  return {heading.layout, heading.extent, std::move(summaries),
+          [folder = std::filesystem::absolute(folder)](TileKey key) { return read_tile(folder, key); }, budget_bytes};
+}
+
 }  // namespace sigmascape::terrain

@@ -8,6 +8,7 @@
 
 #include "sigmascape/base/array2d.h"
 #include "sigmascape/terrain/height_tile.h"
+#include "sigmascape/terrain/terrain_pyramid.h"
 
 namespace sigmascape::terrain {
 
@@ -61,5 +62,8 @@ void write_heading(const std::filesystem::path& file_name, const PyramidHeading&
 /// Throws Error when the heading is missing, truncated or was altered: it records the SHA-256 of its own text, without
 /// these digits. Those of a former kind do not, and are taken as they are.
 [[nodiscard]] PyramidHeading read_heading(const std::filesystem::path& file_name);
+
+/// Opens a pyramid on disk. Throws Error when it is not there, not finished, or lacks its coarsest tile.
+[[nodiscard]] TerrainPyramid open_pyramid(const std::filesystem::path& folder, std::size_t budget_bytes);
 
 }  // namespace sigmascape::terrain

@@ -44,7 +44,7 @@ std::optional<std::size_t> RingsInSight::innermost(Vec2d centre) const {
   std::optional<std::size_t> innermost;
   for (double way = stretch.begin_m; way < end_m + step_m; way += step_m) {
     const Vec2d place = centre + towards * way;
-    const HeightBounds::Interval* heights = bounds_.around(place);
+    const CoarseHeights::Interval* heights = bounds_.around(place);
     if (heights == nullptr) continue;
     const double height = area_.plane_height_m + way * slope, highest = static_cast<double>(heights->highest_m);
     if (height - slack_m > highest || height + slack_m < static_cast<double>(heights->lowest_m)) continue;

@@ -5,7 +5,7 @@
 
 #include "sigmascape/radar/ground_grid.h"
 #include "sigmascape/scene/scene.h"
-#include "sigmascape/trace/height_bounds.h"
+#include "sigmascape/trace/coarse_heights.h"
 #include "sigmascape/trace/launch.h"
 
 namespace sigmascape::trace {
@@ -31,7 +31,7 @@ class RingsInSight {
   const LaunchArea& area_;
   double reach_m_;
   radar::Rectangle region_;
-  HeightBounds bounds_;
+  CoarseHeights bounds_;
 };
 
 }  // namespace sigmascape::trace

@@ -8,6 +8,7 @@
 
 #include "sigmascape/live/live_renderer.h"
 #include "sigmascape/terrain/pyramid_builder.h"
+#include "sigmascape/terrain/pyramid_files.h"
 
 namespace sigmascape::live {
 namespace {

@@ -22,6 +22,8 @@
 #include "sigmascape/atlas/pyramid.h"
 #include "sigmascape/base/error.h"
 #include "sigmascape/terrain/pyramid_builder.h"
+#include "sigmascape/terrain/pyramid_files.h"
+#include "sigmascape/terrain/pyramid_levels.h"
 
 namespace sigmascape::live {
 namespace {

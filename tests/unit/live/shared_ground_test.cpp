@@ -8,6 +8,7 @@
 
 #include "sigmascape/atlas/pyramid.h"
 #include "sigmascape/terrain/pyramid_builder.h"
+#include "sigmascape/terrain/pyramid_files.h"
 
 namespace sigmascape::live {
 namespace {

@@ -9,7 +9,7 @@
 #include "sigmascape/base/array2d.h"
 #include "sigmascape/base/error.h"
 #include "sigmascape/terrain/height_field.h"
-#include "sigmascape/terrain/pyramid_builder.h"
+#include "sigmascape/terrain/pyramid_levels.h"
 
 namespace sigmascape::live {
 

@@ -121,13 +121,13 @@ TEST(TargetSight, is_dimmed_by_the_crown_that_it_stands_in) {
 TEST(TargetSight, finds_what_is_highest_once_for_all_targets) {
   const auto ridge = ground(true);
   const auto houses = block_of({.solid_top_m = 12.0F});
-  EXPECT_EQ((Surroundings{ridge}.highest_m), 35.0);
-  Surroundings surroundings{ridge, &houses};
-  EXPECT_EQ(surroundings.highest_m, 35.0 + 12.0);
+  EXPECT_EQ((Obstructions{ridge}.highest_m), 35.0);
+  Obstructions obstructions{ridge, &houses};
+  EXPECT_EQ(obstructions.highest_m, 35.0 + 12.0);
   const Vec3d point{0.0, 0.0, 6.0};
-  ASSERT_EQ(part_seen(surroundings, radar_at(10.0), point), 0.0);
-  surroundings.highest_m = 0.0;
-  EXPECT_EQ(part_seen(surroundings, radar_at(10.0), point), 1.0) << "a line above what is said to be highest is free";
+  ASSERT_EQ(part_seen(obstructions, radar_at(10.0), point), 0.0);
+  obstructions.highest_m = 0.0;
+  EXPECT_EQ(part_seen(obstructions, radar_at(10.0), point), 1.0) << "a line above what is said to be highest is free";
 }
 
 /// The line crosses 20 m of crowns: e^(−κ · 20 m / cos ψ).

@@ -4,7 +4,7 @@
 #include <functional>
 #include <gtest/gtest.h>
 
-#include "sigmascape/terrain/pyramid_builder.h"
+#include "sigmascape/terrain/pyramid_levels.h"
 
 namespace sigmascape::terrain {
 namespace {

@@ -20,7 +20,9 @@
 
 #include "sigmascape/geo/geo_raster.h"
 #include "sigmascape/terrain/pyramid_builder.h"
+#include "sigmascape/terrain/pyramid_faults.h"
 #include "sigmascape/terrain/pyramid_files.h"
+#include "sigmascape/terrain/pyramid_levels.h"
 #include "sigmascape/terrain/terrain_window.h"
 
 namespace sigmascape::terrain {

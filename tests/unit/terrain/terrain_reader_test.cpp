@@ -12,6 +12,7 @@
 
 #include "sigmascape/base/machine_memory.h"
 #include "sigmascape/terrain/pyramid_builder.h"
+#include "sigmascape/terrain/pyramid_files.h"
 
 namespace sigmascape::terrain {
 namespace {

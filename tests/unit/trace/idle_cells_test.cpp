@@ -9,7 +9,7 @@
 #include "sigmascape/base/hash.h"
 #include "sigmascape/radar/look.h"
 #include "sigmascape/radar/radar.h"
-#include "sigmascape/trace/height_bounds.h"
+#include "sigmascape/trace/coarse_heights.h"
 #include "sigmascape/trace/launch.h"
 #include "sigmascape/trace/path_tracer.h"
 #include "sigmascape/trace/rings_in_sight.h"
@@ -165,13 +165,13 @@ TEST(IdleCells, SteepRaysGetTheShareOfTheRingTheyMeet) {
   }
 }
 
-TEST(HeightBounds, HoldGroundAndWhatStandsOnIt) {
+TEST(CoarseHeights, HoldGroundAndWhatStandsOnIt) {
   const scene::Scene scene = hilly_scene({20.0, 20.0});
-  const HeightBounds bounds(scene, Footing::Terrain, {-60.0, -60.0, 60.0, 60.0}, 16.0);
+  const CoarseHeights bounds(scene, Footing::Terrain, {-60.0, -60.0, 60.0, 60.0}, 16.0);
   const SceneGeometry geometry(scene, Footing::Terrain);
   for (double x = -59.0; x < 60.0; x += 2.3) {
     for (double y = -59.0; y < 60.0; y += 2.3) {
-      const HeightBounds::Interval* here = bounds.around({x, y});
+      const CoarseHeights::Interval* here = bounds.around({x, y});
       ASSERT_NE(here, nullptr);
       SurfaceHit hit;
       ASSERT_TRUE(geometry.intersect(Vec3d{x, y, 200.0}.to<float>(), {0, 0, -1}, hit));
@@ -181,7 +181,7 @@ TEST(HeightBounds, HoldGroundAndWhatStandsOnIt) {
   }
   EXPECT_EQ(bounds.around({-80.0, 0.0}), nullptr);
   EXPECT_NEAR(bounds.highest_m(), scene.terrain.height_at({20.0, 20.0}) + 44.0, 1e-3);
-  EXPECT_NEAR(HeightBounds(scene, Footing::LevelPlane, {-60, -60, 60, 60}, 16.0).highest_m(), 45.0F, 1e-4F);
+  EXPECT_NEAR(CoarseHeights(scene, Footing::LevelPlane, {-60, -60, 60, 60}, 16.0).highest_m(), 45.0F, 1e-4F);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "sigmascape/trace/height_bounds.h"
+#include "sigmascape/trace/coarse_heights.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +13,7 @@ namespace {
 
 constexpr float endless = std::numeric_limits<float>::infinity();
 
-using Interval = HeightBounds::Interval;
+using Interval = CoarseHeights::Interval;
 
 void widen(Interval& interval, const Interval& other) {
   interval.lowest_m = std::min(interval.lowest_m, other.lowest_m);
@@ -52,7 +52,7 @@ std::size_t within(double number, std::size_t count) {
 
 }  // namespace
 
-HeightBounds::HeightBounds(const scene::Scene& scene, Footing footing, radar::Rectangle region, double square_m)
+CoarseHeights::CoarseHeights(const scene::Scene& scene, Footing footing, radar::Rectangle region, double square_m)
     : grid_(squares_over(region, square_m)), heights_(grid_.columns, grid_.rows, {0.0F, 0.0F}) {
   if (footing == Footing::Terrain) {
     for (std::size_t row = 0; row < grid_.rows; ++row) {
@@ -66,7 +66,7 @@ HeightBounds::HeightBounds(const scene::Scene& scene, Footing footing, radar::Re
   highest_m_ = std::ranges::max(heights_.values(), {}, &Interval::highest_m).highest_m;
 }
 
-const Interval* HeightBounds::around(Vec2d point) const {
+const Interval* CoarseHeights::around(Vec2d point) const {
   const Vec2d at = grid_.cells_from(point);
   const bool is_inside =
       at.x >= 0.0 && at.y >= 0.0 && at.x < static_cast<double>(grid_.columns) && at.y < static_cast<double>(grid_.rows);
@@ -74,7 +74,7 @@ const Interval* HeightBounds::around(Vec2d point) const {
 }
 
 /// Ground between nodes lies between their heights; beyond the field it is as high as its edge.
-Interval HeightBounds::ground_in(const terrain::HeightField& field, std::size_t column, std::size_t row) const {
+Interval CoarseHeights::ground_in(const terrain::HeightField& field, std::size_t column, std::size_t row) const {
   const auto nodes = [&](double metres, std::size_t count) {
     const double first = metres / field.spacing_m, last = (metres + grid_.cell_m) / field.spacing_m;
     return std::pair(within(first, count), within(last + 1.0, count));
@@ -90,7 +90,7 @@ Interval HeightBounds::ground_in(const terrain::HeightField& field, std::size_t 
   return heights;
 }
 
-void HeightBounds::add_instances(const scene::Scene& scene, Footing footing) {
+void CoarseHeights::add_instances(const scene::Scene& scene, Footing footing) {
   const std::vector<Hull> hulls = hulls_of(scene);
   const radar::Rectangle extent = grid_.extent();
   for (const scene::Instance& instance : scene.instances) {
@@ -105,7 +105,7 @@ void HeightBounds::add_instances(const scene::Scene& scene, Footing footing) {
   }
 }
 
-void HeightBounds::add_buildings(const scene::Buildings& buildings, Footing footing) {
+void CoarseHeights::add_buildings(const scene::Buildings& buildings, Footing footing) {
   const radar::Rectangle extent = grid_.extent();
   for (const scene::Building& building : buildings.items) {
     const radar::Rectangle box = scene::extent_of(buildings, building);
@@ -120,7 +120,7 @@ void HeightBounds::add_buildings(const scene::Buildings& buildings, Footing foot
   }
 }
 
-void HeightBounds::add_box(const radar::Rectangle& box, Interval heights) {
+void CoarseHeights::add_box(const radar::Rectangle& box, Interval heights) {
   const Vec2d first = grid_.cells_from({box.west_m, box.north_m}), last = grid_.cells_from({box.east_m, box.south_m});
   for (std::size_t row = within(first.y, grid_.rows); row <= within(last.y, grid_.rows); ++row) {
     for (std::size_t column = within(first.x, grid_.columns); column <= within(last.x, grid_.columns); ++column)
@@ -128,7 +128,7 @@ void HeightBounds::add_box(const radar::Rectangle& box, Interval heights) {
   }
 }
 
-void HeightBounds::grow() {
+void CoarseHeights::grow() {
   const Array2D<Interval> before = heights_;
   for (std::size_t row = 0; row < grid_.rows; ++row) {
     for (std::size_t column = 0; column < grid_.columns; ++column) {

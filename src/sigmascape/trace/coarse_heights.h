@@ -7,11 +7,12 @@
 
 namespace sigmascape::trace {
 
-/// Between which heights everything lies that stands in or near a place: coarse, quickly made, and never too narrow.
-class HeightBounds {
+/// Between which heights everything lies that stands in or near a place: in squares, quickly made, and never too
+/// narrow.
+class CoarseHeights {
  public:
   /// Over a region of the scene, in squares of that side.
-  HeightBounds(const scene::Scene& scene, Footing footing, radar::Rectangle region, double square_m);
+  CoarseHeights(const scene::Scene& scene, Footing footing, radar::Rectangle region, double square_m);
 
   struct Interval {
     float lowest_m, highest_m;
