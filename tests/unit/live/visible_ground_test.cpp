@@ -173,6 +173,27 @@ TEST_P(VisibleGroundByBothMethods, LevelGroundIsSeenThroughoutUpToTheHorizon) {
   }
 }
 
+TEST_P(VisibleGroundByBothMethods, BeyondTheHorizonTheSeaHidesThoughNoneIsKnown) {
+  // Two kilometres of a plain 60 km away, which rises above the sea before it from 21 m on.
+  const Scene scene{.terrain = made_up(65, 32.0, [](double, double) { return 5.0; }),
+                    .radar = {0.0, -60e3, 100.0},
+                    .grid = {.first_azimuth_rad = -0.01,
+                             .azimuth_step_rad = 0.001,
+                             .azimuths = 20,
+                             .near_m = 59.2e3,
+                             .step_m = 16.0,
+                             .distances = 100,
+                             .drop_per_square_m = radar::CurvedEarth().drop_m(1.0)}};
+  const radar::CurvedEarth earth;
+  const VisibleGround ground = found(scene, {.method = GetParam()});
+  for (std::size_t k = 0; k < scene.grid.distances; ++k) {
+    const double hidden_m = earth.drop_m(distance_of(scene.grid, k) - earth.horizon_m(scene.radar.z));
+    ASSERT_NEAR(hidden_m, 21.0, 2.5);
+    EXPECT_FALSE(is_seen(ground.horizon(), scene.radar, hidden_m - 0.1, 7, k)) << k;
+    EXPECT_TRUE(is_seen(ground.horizon(), scene.radar, hidden_m + 0.1, 7, k)) << k;
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Methods, VisibleGroundByBothMethods,
                          ::testing::Values(VisibilityMethod::HorizonSweep, VisibilityMethod::Rasterization),
                          [](const auto& method) {
