@@ -56,6 +56,7 @@ std::vector<atlas::StoreFault> write_pyramid(const scene::Scene& scene, const at
                                              atlas::Scrutiny scrutiny) {
   std::vector<atlas::StoreFault> faults = pyramid_faults(scene, store, scrutiny);
   if (!faults.empty()) terrain::build_pyramid(pyramid_folder(store), scene.terrain, store.description().frame);
+  terrain::call_finished(pyramid_folder(store));
   return faults;
 }
 
@@ -73,6 +74,7 @@ std::vector<atlas::StoreFault> write_shape_files(const scene::Scene& scene, cons
                                                  bool with_buildings, const Claims& claims, atlas::Scrutiny scrutiny,
                                                  ProgressListener& progress) {
   const bool is_whole = !atlas::terrain_fault(store, scrutiny) && pyramid_faults(scene, store, scrutiny).empty() &&
+                        !terrain::is_called_unfinished(pyramid_folder(store)) &&
                         !(with_buildings && atlas::buildings_fault(store, scrutiny));
   if (is_whole) return {};
   // Two at once would take each other's unfinished files for those of other heights.

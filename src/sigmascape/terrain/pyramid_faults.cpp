@@ -57,6 +57,14 @@ bool holds_pyramid_of_a_field(const std::filesystem::path& folder) {
   return !heading_fault(folder) && read_heading(folder / heading_name).is_of_field;
 }
 
+bool is_called_unfinished(const std::filesystem::path& folder) {
+  return holds_pyramid(folder) && !geo::is_absent(folder / unfinished_heading_name);
+}
+
+void call_finished(const std::filesystem::path& folder) {
+  if (is_called_unfinished(folder)) std::filesystem::remove(folder / unfinished_heading_name);
+}
+
 std::optional<PyramidFault> heading_fault(const std::filesystem::path& folder) {
   const std::filesystem::path file = folder / heading_name;
   return fault_of(folder, file, [&] { static_cast<void>(read_heading(file)); });

@@ -15,6 +15,12 @@ namespace sigmascape::terrain {
 /// former kind do not say.
 [[nodiscard]] bool holds_pyramid_of_a_field(const std::filesystem::path& folder);
 
+/// Whether beside the heading of a finished pyramid lies what says that it is unfinished, as of a build that was killed
+/// between its last two steps.
+[[nodiscard]] bool is_called_unfinished(const std::filesystem::path& folder);
+/// Removes that. For whoever has the right to build there.
+void call_finished(const std::filesystem::path& folder);
+
 struct PyramidFault {
   std::filesystem::path file;  ///< relative to the folder
   std::string what;            ///< "is missing", "is truncated or was altered", "cannot be read (…)"

@@ -262,6 +262,18 @@ TEST(Bake, FilesOfTheTerrainThatAreMissingAreMendedAndTold) {
   }
 }
 
+// Killed between the heading of the finished pyramid and the removal of that of the unfinished one.
+TEST(Bake, OfTerrainThatIsWholeNothingSaysThatItIsUnfinished) {
+  const ScratchFolder folder;
+  const scene::Scene scene = bare_scene(20.0);
+  baked(scene, small_bake({40.0}), folder.path("a"));
+  const auto whole = files_of(folder.path("a"));
+  const auto terrain = folder.path("a") / "terrain";
+  std::filesystem::copy(terrain / "pyramid.toml", terrain / "unfinished.toml");
+  EXPECT_THAT(words_of(baked(scene, small_bake({40.0}), folder.path("a")).mended), ::testing::IsEmpty());
+  EXPECT_EQ(difference_of(files_of(folder.path("a")), whole), "");
+}
+
 // As it is between a shard's terrain.tif and the item that vouches for it.
 TEST(Bake, WaitsForTheTerrainThatAnotherIsAt) {
   const ScratchFolder folder;
