@@ -45,7 +45,7 @@ results-small: packages-build ## Measure how close baked maps come to traced one
 RESULTS_PAPER ?= --scale 0.2 --held-out 24 --on-grid 3 --repeated 1 --samples 100 --traced-samples 1024 --most-traced-samples 3072 --finer-samples 3072
 RESULTS_ITU ?= --scale 0.2 --held-out 24 --on-grid 4 --repeated 1 --samples 64 --traced-samples 512 --most-traced-samples 1536 --finer-samples 768
 RESULTS_BILBAO ?= --no-finest-grid --scale 0.2 --held-out 24 --on-grid 4 --repeated 1 --samples 64 --traced-samples 768 --most-traced-samples 1536 --finer-samples 768
-RESULTS_SAN_FRANCISCO ?= --small --scale 0.2 --held-out 24 --on-grid 3 --repeated 1 --samples 32 --traced-samples 384 --finer-samples 256
+RESULTS_SAN_FRANCISCO ?= --small --scale 0.2 --held-out 24 --on-grid 3 --repeated 1 --samples 32 --traced-samples 256 --finer-samples 256
 
 results: packages-build ## Measure as docs/results was, on real places too, and write it anew: about seventeen hours on two cores, 32 of processor time, goes on where it was broken off
 	$(call configure,release,OFF,OFF)
