@@ -47,7 +47,7 @@ RESULTS_ITU ?= --scale 0.2 --held-out 24 --on-grid 4 --repeated 1 --samples 64 -
 RESULTS_BILBAO ?= --no-finest-grid --scale 0.2 --held-out 24 --on-grid 4 --repeated 1 --samples 64 --traced-samples 768 --most-traced-samples 1536 --finer-samples 768
 RESULTS_SAN_FRANCISCO ?= --small --scale 0.2 --held-out 24 --on-grid 3 --repeated 1 --samples 32 --traced-samples 256 --finer-samples 256
 
-results: packages-build ## Measure as docs/results was, on real places too, and write it anew: about seventeen hours on two cores, 32 of processor time, goes on where it was broken off
+results: packages-build ## Measure as docs/results was, on real places too, and write it anew: about sixteen hours on two cores, 30 of processor time, goes on where it was broken off
 	$(call configure,release,OFF,OFF)
 	$(call build,release) --target sigmascape_cli
 	$(measure) $(RESULTS_PAPER) --out out/results/paper --page docs/results/README.md
