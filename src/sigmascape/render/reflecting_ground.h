@@ -50,7 +50,7 @@ class ReflectingGround {
         level_(level),
         slope_(slope),
         earth_(earth),
-        lowest_ground_m_(static_cast<double>(terrain.lowest_m())) {}
+        lowest_ground_m_(earth.curvature_per_m() > 0.0 ? static_cast<double>(terrain.lowest_m()) : 0.0) {}
 
   /// The same ground with what its buildings return directly, laid over it for this radar: where the atlas keeps them
   /// apart. The layer must outlive it.
@@ -136,7 +136,7 @@ class ReflectingGround {
   double frequency_hz_, level_;
   SlopeModel slope_;
   radar::CurvedEarth earth_;
-  double lowest_ground_m_;
+  double lowest_ground_m_;  // looked for over a round Earth alone: a flat one hides nothing by it
   const BuildingLayer* buildings_ = nullptr;
 };
 
