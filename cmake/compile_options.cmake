@@ -9,7 +9,9 @@ target_compile_options(sigmascape_options INTERFACE
 set(as_one $<BOOL:$<TARGET_PROPERTY:UNITY_BUILD>>)
 target_compile_options(sigmascape_options INTERFACE
   $<${as_one}:-Wno-shadow> $<$<AND:${as_one},$<CXX_COMPILER_ID:GNU>>:-Wno-subobject-linkage>)
+# What sanitizers put in between keeps GCC from seeing that all is initialized.
 if(SIGMASCAPE_SANITIZER)
+  target_compile_options(sigmascape_options INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
   target_compile_options(sigmascape_options INTERFACE -fsanitize=${SIGMASCAPE_SANITIZER} -fno-omit-frame-pointer)
   target_link_options(sigmascape_options INTERFACE -fsanitize=${SIGMASCAPE_SANITIZER})
   if(SIGMASCAPE_SANITIZER STREQUAL "address")

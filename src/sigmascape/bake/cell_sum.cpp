@@ -16,9 +16,11 @@ double total_m2(const Landed& echo) {
 void CellSum::add(std::span<Landed> echoes, const SamplePairs& pairs, PatchSums& patch) {
   if (power_m2_.size() < pairs.samples()) power_m2_.resize(pairs.samples());
   if (patch.buildings) {
-    const auto apart = std::ranges::stable_partition(echoes, [](const Landed& echo) { return !echo.apart; });
-    add_to(*patch.buildings, nullptr, {apart.begin(), apart.end()}, pairs);
-    echoes = echoes.first(echoes.size() - apart.size());
+    const auto apart =
+        std::stable_partition(echoes.begin(), echoes.end(), [](const Landed& echo) { return !echo.apart; });
+    const auto kept = static_cast<std::size_t>(apart - echoes.begin());
+    add_to(*patch.buildings, nullptr, echoes.subspan(kept), pairs);
+    echoes = echoes.first(kept);
   }
   add_to(patch.all, patch.several ? &*patch.several : nullptr, echoes, pairs);
 }

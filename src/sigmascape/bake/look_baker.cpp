@@ -112,7 +112,7 @@ trace::SceneGeometry& LookBaker::geometry_about(const radar::GroundGrid& texels)
     around = trace::Surroundings::everything();
   if (!local_ || local_->around != around) {
     local_.reset();  // before the next takes memory
-    local_.emplace(around, trace::SceneGeometry(scene_, footing_, around, heights_));
+    local_.emplace(Local{around, trace::SceneGeometry(scene_, footing_, around, heights_)});
     geometry_bytes_ = std::max(geometry_bytes_, local_->geometry.memory_bytes());
   }
   return local_->geometry;
@@ -189,7 +189,7 @@ std::vector<BakedLook> LookBaker::bake(const radar::GroundGrid& texels, const tr
 
   std::vector<PatchSums> sums;
   for (std::size_t f = 0; f < surfaces_.size(); ++f) {
-    PatchSums& of_frequency = sums.emplace_back(receiver::GroundAccumulator(texels));
+    PatchSums& of_frequency = sums.emplace_back(PatchSums{receiver::GroundAccumulator(texels)});
     if (settings_.noise == Noise::Shared) of_frequency.several.emplace(texels);
     if (settings_.buildings != Buildings::Baked) of_frequency.buildings.emplace(texels);
   }
@@ -218,7 +218,7 @@ std::vector<BakedLook> LookBaker::bake(const radar::GroundGrid& texels, const tr
     }
     NoisyTexels all = texels_of(of_frequency.all, gains);
     if (of_frequency.several) put_shared(texels_of(*of_frequency.several, gains), settings_.threads, all);
-    BakedLook& look = looks.emplace_back(baked(std::move(all)));
+    BakedLook& look = looks.emplace_back(BakedLook{baked(std::move(all))});
     if (of_frequency.buildings) look.buildings = baked(texels_of(*of_frequency.buildings, gains));
     look.samples_per_texel = area.cells.empty() ? 0.0 : samples / area.whole_cells();
   }

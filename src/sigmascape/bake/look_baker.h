@@ -27,9 +27,9 @@ struct BakedTexels {
 
 /// What was baked of one patch from one look.
 struct BakedLook : BakedTexels {
-  std::optional<BakedTexels> buildings;  ///< what they return directly, where they are kept apart
-  double samples_per_texel = 0.0;        ///< mean over the launch cells, each for as much as its share
-  trace::TraceCounts counts;             ///< of all frequencies together, with the first of them
+  std::optional<BakedTexels> buildings = {};  ///< what they return directly, where they are kept apart
+  double samples_per_texel = 0.0;             ///< mean over the launch cells, each for as much as its share
+  trace::TraceCounts counts = {};             ///< of all frequencies together, with the first of them
 };
 
 /// Bakes single looks of one scene, one at a time. What looks share is made once: the surface models of every frequency

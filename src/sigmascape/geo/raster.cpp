@@ -152,12 +152,11 @@ struct Window {
 template <typename T>
 Window<T> read_window(GDALRasterBand& band, const Coverage& coverage, const Part& part, GDALDataType type,
                       const std::string& name) {
-  const auto [first_column, first_row, width, height] = part;
   Window<T> window;
-  window.first_column = first_column;
-  window.first_row = first_row;
-  window.value = Array2D<T>(static_cast<std::size_t>(width), static_cast<std::size_t>(height));
-  window.valid = Array2D<std::uint8_t>(static_cast<std::size_t>(width), static_cast<std::size_t>(height));
+  window.first_column = part.first_column;
+  window.first_row = part.first_row;
+  window.value = Array2D<T>(static_cast<std::size_t>(part.columns), static_cast<std::size_t>(part.rows));
+  window.valid = Array2D<std::uint8_t>(static_cast<std::size_t>(part.columns), static_cast<std::size_t>(part.rows));
   HeedingProgress heeding;
   GDALRasterIOExtraArg extra;
   INIT_RASTERIO_EXTRA_ARG(extra);
@@ -167,13 +166,13 @@ Window<T> read_window(GDALRasterBand& band, const Coverage& coverage, const Part
   bool is_read = true;
   const auto read = [&](GDALRasterBand& from, int column, int piece, auto* to, GDALDataType as) {
     const auto bytes = static_cast<GSpacing>(sizeof(*to));
-    return from.RasterIO(GF_Read, column, first_row, piece, height, to, piece, height, as, bytes, bytes * width,
-                         &extra) == CE_None;
+    return from.RasterIO(GF_Read, column, part.first_row, piece, part.rows, to, piece, part.rows, as, bytes,
+                         bytes * part.columns, &extra) == CE_None;
   };
   const int turn = coverage.round > 0 ? coverage.round : coverage.columns;
-  for (int done = 0, piece = 0; done < width && is_read; done += piece) {
-    const int column = ((first_column + done) % turn + turn) % turn;
-    piece = std::min(width - done, turn - column);
+  for (int done = 0, piece = 0; done < part.columns && is_read; done += piece) {
+    const int column = ((part.first_column + done) % turn + turn) % turn;
+    piece = std::min(part.columns - done, turn - column);
     is_read =
         read(band, column, piece, &window.value.values()[static_cast<std::size_t>(done)], type) &&
         read(*band.GetMaskBand(), column, piece, &window.valid.values()[static_cast<std::size_t>(done)], GDT_Byte);

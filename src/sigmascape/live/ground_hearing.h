@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <ranges>
 #include <span>
 #include <vector>
 
@@ -104,7 +103,7 @@ void ground_of_beam(const Frame& frame, std::size_t beam, NumberOf&& number_of, 
   const std::size_t first = beam * frame.grid.ranges;
   for (std::size_t range = 0; range < held.size(); ++range) held[range] = number_of(power_of_bin(frame, first + range));
   const auto told = receiver::of_beams(frame.targets, beam, 1, frame.grid.ranges).bins;
-  for (const auto& [bin, rcs_m2] : told | std::views::reverse) held[bin - first] = number_of(rcs_m2);
+  for (auto one = told.rbegin(); one != told.rend(); ++one) held[one->bin - first] = number_of(one->rcs_m2);
 }
 
 }  // namespace sigmascape::live

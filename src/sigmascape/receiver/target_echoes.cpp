@@ -52,17 +52,6 @@ std::vector<radar::Echo> target_echoes(std::span<const radar::Target> targets, c
   return echoes;
 }
 
-std::vector<radar::Scatterer> target_scatterers(std::span<const radar::Target> targets, const radar::Radar& radar,
-                                                const radar::Moment& moment) {
-  std::vector<radar::Scatterer> scatterers;
-  scatterers.reserve(targets.size());
-  for (const radar::Target& target : targets) {
-    const radar::Channels rcs = radar::rcs_of(target, radar.position, radar.frequency_hz, moment);
-    scatterers.push_back({target.track.position_at(moment.time_s), radar::steady_amplitude(rcs)});
-  }
-  return scatterers;
-}
-
 void add_echoes(radar::RangeAzimuthImage& image, const radar::Radar& radar, std::span<const radar::Echo> echoes) {
   if (echoes.empty()) return;
   const radar::RangeAzimuthGrid& grid = image.grid;

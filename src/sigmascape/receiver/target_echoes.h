@@ -6,7 +6,6 @@
 #include "sigmascape/radar/echo.h"
 #include "sigmascape/radar/radar.h"
 #include "sigmascape/radar/range_azimuth_image.h"
-#include "sigmascape/radar/scatterer.h"
 #include "sigmascape/radar/target.h"
 
 namespace sigmascape::receiver {
@@ -16,10 +15,6 @@ namespace sigmascape::receiver {
 /// Whether something stands between is not asked here.
 [[nodiscard]] std::vector<radar::Echo> target_echoes(std::span<const radar::Target> targets, const radar::Radar& radar,
                                                      const radar::Moment& moment);
-
-/// The same for modes that keep phase: a scatterer each, to be given the phase of its way like those of the ground.
-[[nodiscard]] std::vector<radar::Scatterer> target_scatterers(std::span<const radar::Target> targets,
-                                                              const radar::Radar& radar, const radar::Moment& moment);
 
 /// Adds echoes to an image of the radar's bins, however bright they are, each with the responses of pulse and beam
 /// about its own place: a bin has what the radar equation gives at the offset of its middle from the point. The sums of

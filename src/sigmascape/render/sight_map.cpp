@@ -9,7 +9,7 @@ SightMap::SightMap(const ReflectingGround& ground, const radar::Vantage& vantage
                    unsigned threads) {
   for (const SightLines& lines : SightLines::over(area, vantage, step_m)) {
     const SightLines::Steps steps = lines.steps_over(terrain_extent, step_m);
-    Side& side = sides_.emplace_back(lines, steps, SightGrid(steps.before, steps.kept, lines.count()));
+    Side& side = sides_.emplace_back(Side{lines, steps, SightGrid(steps.before, steps.kept, lines.count())});
     parallel_for(lines.count(), threads, [&](std::size_t line, unsigned) {
       ground.seen_from(lines.radar_of(line))
           .walk(lines.azimuth_rad(line), steps.start_m, steps.end_m, step_m,

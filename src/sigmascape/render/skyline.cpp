@@ -23,7 +23,7 @@ Skyline::Skyline(const radar::ObstacleMap& obstacles, const terrain::HeightField
   // Half a step apart, so that one passes a place at no more than a quarter.
   for (const SightLines& lines : SightLines::over(area, vantage, 0.5 * step_m)) {
     const SightLines::Steps steps = lines.steps_over(terrain.extent(), step_m);
-    Side& side = sides_.emplace_back(lines, steps, Array2D<Slopes>(steps.kept, lines.count()));
+    Side& side = sides_.emplace_back(Side{lines, steps, Array2D<Slopes>(steps.kept, lines.count())});
     parallel_for(lines.count(), thread_count(threads), [&](std::size_t line, unsigned) {
       const Vec3d radar = lines.radar_of(line);
       const radar::SeaHorizon sea(radar.z, lowest_ground_m, earth.curvature_per_m());

@@ -23,7 +23,7 @@ void RoofRaster::move_to(std::size_t first_row, std::size_t rows) {
 }
 
 void RoofRaster::add(const Corners& triangle, const terrain::HeightField& ground) {
-  const auto [a, b, c] = triangle;
+  const Vec3d a = triangle[0], b = triangle[1], c = triangle[2];
   const double whole = twice_plan_area(a, b, c);
   if (std::abs(whole) < 1e-9) return;  // a wall
   parts_.for_cells_under(plan_of(triangle), [&](std::size_t column, std::size_t row) {

@@ -169,7 +169,7 @@ TracedGround* LiveTracer::ground_of(const live::Pose& pose, Beams beams) {
   std::erase_if(steps_, [&](const Step& step) { return step.beams.overlap(beams); });
   std::unique_ptr<TracedGround> ground = made_ground(pose, beams);
   const double cells = ground != nullptr ? cells_in(ground->view().area, look_) : 0.0;
-  TracedGround* const made = steps_.emplace_back(beams, std::move(ground), cells).ground.get();
+  TracedGround* const made = steps_.emplace_back(Step{beams, std::move(ground), cells}).ground.get();
   const auto sum = [this] {
     return std::accumulate(steps_.begin(), steps_.end(), 0.0,
                            [](double cells_so_far, const Step& step) { return cells_so_far + step.cells; });

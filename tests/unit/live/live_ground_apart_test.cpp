@@ -5,7 +5,6 @@
 #include "made_obstacles.h"
 
 #include "sigmascape/base/hash.h"
-#include "sigmascape/base/processor_stopwatch.h"
 #include "sigmascape/live/horizon_map.h"
 #include "sigmascape/live/row_light.h"
 #include "sigmascape/terrain/obstacle_sweep.h"
@@ -80,22 +79,20 @@ TEST(LiveGroundApart, BareGroundAnswersWithItsOwnAngleAndAreaAtEveryRange) {
   }
 }
 
-TEST(LiveGroundApart, WhatLiesBetweenTheTerrainAndBinsFarAwayTakesNoTime) {
+TEST(LiveGroundApart, WhatLiesBetweenTheTerrainAndBinsFarAwayIsNotWalkedOver) {
   const ScratchFolder folder;
   ExampleGround example = bare_ground();
   example.obstacle = [](Vec2d p) { return p.x > 0.0 ? radar::Obstacle{.solid_top_m = 10.0F} : radar::Obstacle{}; };
   const auto ground = example.over(example.store(folder.path("atlas")));
   LiveRenderer renderer(ground, {.content = FrameContent::Powers,
-                                 .beams = 8,
+                                 .beams = 4096,
                                  .ranges = 20,
-                                 .beam_step_rad = 0.01,
+                                 .beam_step_rad = 1e-3,
                                  .range_step_m = 100.0,
                                  .threads = 1});
-  // Steps are as short there as the squares that obstacles stand on: without end.
+  // Steps are as short there as the squares that obstacles stand on: to walk over it takes longer than a test may.
   const Pose pose{.position = {example.middle().x, example.middle().y, 1000.0}, .first_range_m = 9e6};
-  const ProcessorStopwatch watch;
   EXPECT_EQ(renderer.render(pose).report.lit, 0U);
-  EXPECT_LT(watch.seconds(), 0.5);
 }
 
 TEST(LiveGroundApart, BinsThatBeginBelowTheRadarShowTheGroundBeyond) {

@@ -27,11 +27,6 @@ TEST(TargetEchoes, come_from_every_target_at_its_place_and_time) {
   EXPECT_NEAR(std::remainder(echoes[1].cross - pi, 2.0 * pi), 0.0, 1e-12);
   EXPECT_EQ(echoes[1].sin_depression, 0.0F);
   EXPECT_FLOAT_EQ(echoes[2].rcs_m2.hh, 4e-6F);
-
-  const auto scatterers = target_scatterers(targets, radar, {100.0, 0, 0});
-  ASSERT_EQ(scatterers.size(), 3U);
-  EXPECT_EQ(scatterers[0].position, (Vec3d{4000.0, 3000.0, 0.0}));
-  EXPECT_NEAR(std::abs(scatterers[2].amplitude_m.hh), 2e-3, 1e-9);
 }
 
 // The brightest that a file may state is 100 dBsm.
