@@ -73,16 +73,19 @@ class ReflectingGround {
   }
 
   /// Walks outwards along an azimuth, from one distance over the ground to another, and calls `visit(step, distance_m,
-  /// point, sight)` in the middle of every step that lies on the terrain.
+  /// point, sight)` in the middle of every step that lies on the terrain, or up to `beyond_m` outside it, where it goes
+  /// on as high as its edges and hides nothing.
   template <typename Visit>
-  void walk(double azimuth_rad, double near_m, double far_m, double step_m, const Visit& visit) const {
+  void walk(double azimuth_rad, double near_m, double far_m, double step_m, const Visit& visit,
+            double beyond_m = 0.0) const {
     terrain::ObstacleSweep line_of_sight(radar_position_.z);
     const radar::SeaHorizon sea(radar_position_.z, lowest_ground_m_, earth_.curvature_per_m());
     // What hides is looked at in strides that no obstacle and no crest is narrower than; every so many a place is
     // visited.
     const std::size_t strides = strides_in(step_m);
     const double stride_m = step_m / static_cast<double>(strides);
-    terrain::GroundProfile profile(*terrain_, ground_ != nullptr ? &ground_->obstacles : nullptr);
+    terrain::GroundProfile profile(*terrain_, ground_ != nullptr ? &ground_->obstacles : nullptr, beyond_m);
+    const radar::Rectangle extent = terrain_->extent();
     profile.walk({.origin = {radar_position_.x, radar_position_.y},
                   .direction = radar::horizontal_direction(azimuth_rad),
                   .near_m = near_m,
@@ -90,8 +93,11 @@ class ReflectingGround {
                   .count = static_cast<std::size_t>(std::max(0.0, (far_m - near_m) / step_m)) * strides},
                  [&](std::size_t k, double distance_m, Vec3d point, const radar::Obstacle& obstacle) {
                    line_of_sight.rise_to(sea.slope_before(distance_m));
+                   const double height_m = point.z - earth_.drop_m(distance_m);
+                   const bool hides = beyond_m == 0.0 || extent.contains({point.x, point.y});
                    const terrain::Sight sight =
-                       line_of_sight.advance(distance_m, point.z - earth_.drop_m(distance_m), obstacle, stride_m);
+                       hides ? line_of_sight.advance(distance_m, height_m, obstacle, stride_m)
+                             : terrain::ObstacleSweep(line_of_sight).advance(distance_m, height_m, obstacle, stride_m);
                    if (k % strides == strides / 2) visit(k / strides, distance_m, point, sight);
                  });
   }

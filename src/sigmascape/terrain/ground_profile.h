@@ -7,6 +7,7 @@
 #include "sigmascape/base/vec.h"
 #include "sigmascape/radar/ground_stretch.h"
 #include "sigmascape/radar/obstacle.h"
+#include "sigmascape/radar/rectangle_parts.h"
 #include "sigmascape/terrain/height_field.h"
 
 namespace sigmascape::terrain {
@@ -26,9 +27,10 @@ struct GroundLine {
 /// stands there. Heights are reckoned for many places at a time.
 class GroundProfile {
  public:
-  /// Without `obstacles` nothing stands anywhere. Both must outlive this.
-  GroundProfile(const HeightField& terrain, const radar::ObstacleMap* obstacles)
-      : terrain_(&terrain), obstacles_(obstacles), extent_(terrain.extent()) {}
+  /// Without `obstacles` nothing stands anywhere. Both must outlive this. Up to `beyond_m` outside its edges the
+  /// terrain is taken to go on as high as they are.
+  GroundProfile(const HeightField& terrain, const radar::ObstacleMap* obstacles, double beyond_m = 0.0)
+      : terrain_(&terrain), obstacles_(obstacles), extent_(radar::widened(terrain.extent(), beyond_m)) {}
 
   /// Calls `visit(k, distance_m, point, obstacle)` for the places of a line that lie on the terrain, outwards.
   template <typename Visit>

@@ -129,6 +129,21 @@ TEST_P(StripGround, AnswersOnBothSidesOfTheTrack) {
   EXPECT_EQ(seen(radar::Vantage(across), area, ground_with_tower(0.0F)).size(), 40'000U);
 }
 
+/// Of level ground nothing is hidden, and at its edges neither, wherever steps and lines of sight come to lie there.
+TEST_P(StripGround, ReachesTheEdgesOfTheTerrain) {
+  const auto terrain = ground_with_tower(0.0F);
+  radar::PassingBeam squinted = abeam, backwards = abeam;
+  squinted.outwards = {-0.6, 0.8};
+  backwards.position = {400.3, 1250.7, 300.0};
+  backwards.velocity_mps = {-80.0, -60.0, 0.0};
+  backwards.outwards = {0.6, -0.8};
+  for (const auto& vantage :
+       {radar::Vantage(abeam), radar::Vantage(squinted), radar::Vantage(backwards), radar::Vantage(abeam.position),
+        radar::Vantage(backwards.position), radar::Vantage(Vec3d{-300.0, 256.0, 200.0})}) {
+    EXPECT_EQ(seen(vantage, whole_area, terrain).size(), 512U * 512U);
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(OfFieldAndAtlas, StripGround, ::testing::Bool(),
                          [](const auto& instance) { return instance.param ? "atlas" : "field"; });
 
