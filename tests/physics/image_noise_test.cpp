@@ -249,14 +249,9 @@ TEST(ImageNoise, is_lifted_where_the_pattern_is_divided_out) {
 
 /// Pulses in volts have the noise of the receiver and the antenna in their echoes. What a processor makes of them,
 /// which adds up N under a window and divides by what 1 m² gives at a place, has the noise of the image.
-TEST(ImageNoise, off_the_axis_is_what_pulses_have) {
+double noise_over_that_of_pulses_db(const radar::Radar& radar) {
   const auto terrain = level_terrain(1000.0);
   const simulate::CoherentScene nothing{&terrain, even_in_all_channels(0.0F)};
-  radar::Radar radar = looking_north_in(radar::Mode::Spotlight);
-  radar.processing.thermal_noise = true;
-  radar.antenna.elevation = radar::GaussianBeam{};
-  radar.antenna.elevation_width_rad = radians_from_deg(4.0);
-  radar.antenna.tilt_rad = radians_from_deg(-17.0);
   const radar::Rectangle area{-40.0, -40.0, 40.0, 40.0};
   const Vec3d middle{};
   const double voltage = static_cast<double>(receiver::calibrated_voltage(radar, receiver::towards(middle))(
@@ -279,10 +274,25 @@ TEST(ImageNoise, off_the_axis_is_what_pulses_have) {
       }
     }
   }
-  validation::expect_close(
-      {image_noise_group, "noise of a spotlight 3° under its axis, over that of its pulses", 0.0,
-       db_from_linear(square_m2 / bins / (square_v2 / samples / (voltage * voltage) * n_w / 200.0)), 0.2, "dB",
-       "volts of 1 m² there, N/n_w pulses"});
+  return db_from_linear(square_m2 / bins / (square_v2 / samples / (voltage * voltage) * n_w / 200.0));
+}
+
+TEST(ImageNoise, off_the_axis_is_what_pulses_have) {
+  radar::Radar radar = looking_north_in(radar::Mode::Spotlight);
+  radar.processing.thermal_noise = true;
+  radar.antenna.elevation = radar::GaussianBeam{};
+  radar.antenna.elevation_width_rad = radians_from_deg(4.0);
+  radar.antenna.tilt_rad = radians_from_deg(-17.0);
+  validation::expect_close({image_noise_group, "noise of a spotlight 3° under its axis, over that of its pulses", 0.0,
+                            noise_over_that_of_pulses_db(radar), 0.2, "dB", "volts of 1 m² there, N/n_w pulses"});
+}
+
+/// The receiver is deaf while a pulse of 133 µs leaves: of what comes from 8 km, 53 µs away, it hears 0.4.
+TEST(ImageNoise, of_a_range_that_is_heard_in_part_is_what_pulses_have) {
+  radar::Radar radar = looking_north_in(radar::Mode::Spotlight);
+  radar.processing.thermal_noise = true;
+  radar.waveform.pulse_length_s = 133e-6;
+  EXPECT_NEAR(noise_over_that_of_pulses_db(radar), 0.0, 0.2);
 }
 
 /// The bytes are those of one thread for any number of them, with the pattern in the image or its noise lifted.

@@ -17,11 +17,13 @@ namespace sigmascape::receiver {
 
 /// Thermal noise as an image in metres has it: what cross-section would give as much power.
 ///
-///     σ_N(r) = k T₀ B F / (P_t G₀² λ² e^(−2αr) G_c / ((4π)³ r⁴ L)) · n_w / N          docs/physics/doppler.md, Eq.
+///     σ_N(r) = k T₀ B F / (P_t G₀² λ² e^(−2αr) G_c f² / ((4π)³ r⁴ L)) · n_w / N      docs/physics/doppler.md, Eq.
 ///     (12)
 ///
-/// N pulses are added up under a window of noise bandwidth n_w; G_c is the compression gain. On the antenna's axis: of
-/// an image from which the antenna's pattern is divided, the noise is lifted where that has less. Eq. (12b)
+/// N pulses are added up under a window of noise bandwidth n_w; G_c is the compression gain, f the part of an echo that
+/// the receiver is not deaf to (radar::uneclipsed_part), at least 0.001: an image has of all its ranges as much as if
+/// they were heard whole. On the antenna's axis: of an image from which the antenna's pattern is divided, the noise is
+/// lifted where that has less. Eq. (12b)
 class EquivalentNoise {
  public:
   /// `divided_out`: the pattern, of an image that is freed of it.
