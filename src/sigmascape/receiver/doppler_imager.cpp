@@ -96,11 +96,12 @@ void DopplerImager::add(std::span<const radar::Target> targets) {
   const double speed2 = dot(frame_.platform.velocity_mps, frame_.platform.velocity_mps);
   for (const radar::Target& target : targets) {
     const radar::Motion motion = radar::motion_of(target, interval_.middle_time_s);
+    const double range_m = length(motion.position - frame_.platform.position);
+    if (!(range_m > 0.0)) continue;  // the radar's own platform
     const radar::Channels rcs =
         radar::mean_rcs_of(target, frame_.platform.position, frame_.frequency_hz, interval_.middle_time_s);
     const PlacedAmplitude whole = placed(motion, 0.0, radar::steady_amplitude(rcs));
     // Beside ground at the same range and at the Doppler where the target is shown, which is in focus.
-    const double range_m = length(motion.position - frame_.platform.position);
     const double shown_hz =
         radar::folded_hz(radar::doppler_hz(radar::range_rate_mps(frame_.platform, motion), wavelength),
                          frame_.doppler_hz.first, interval_.repetition_hz);

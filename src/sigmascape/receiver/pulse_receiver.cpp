@@ -26,6 +26,7 @@ PulseReceiver::PulseReceiver(const radar::Radar& radar, const RangeGate& gate)
 void PulseReceiver::add(Line& line, const radar::Pulse& pulse, Vec3d position, double range_m,
                         const radar::ComplexChannels& amplitude, double unambiguous_range_m,
                         const VoltageGain& gain) const {
+  if (!(range_m > 0.0)) return;  // the radar's own platform
   double delay_m = range_m - range_.start_m;
   delay_m -= unambiguous_range_m * std::floor(delay_m / unambiguous_range_m);
   if (!(delay_m < range_.period_m)) return;

@@ -47,7 +47,7 @@ std::vector<radar::Echo> target_echoes(std::span<const radar::Target> targets, c
                       .cross = azimuth_of(away),
                       .rcs_m2 = radar::rcs_of(target, radar.position, radar.frequency_hz, moment),
                       .bounces = 1,
-                      .sin_depression = static_cast<float>(-away.z / range_m)});
+                      .sin_depression = range_m > 0.0 ? static_cast<float>(-away.z / range_m) : 0.0F});
   }
   return echoes;
 }

@@ -56,6 +56,16 @@ TEST(DopplerImager, HasCellsOfTheWeightsThatALookHas) {
   }
 }
 
+/// The radar's own platform is no target of its images, whatever list it stands in.
+TEST(DopplerImager, HasNothingOfItsOwnPlatform) {
+  DopplerImager imager = imager_of(32, radar::WindowShape::Taylor);
+  std::vector<radar::Target> own(1);
+  own[0].track = radar::Track::straight({0.0, 0.0, 2000.0}, {100.0, 0.0, 0.0});
+  own[0].rcs_m2 = radar::Channels{10.0F, 10.0F, 0.0F, 10.0F};
+  imager.add(own);
+  for (const auto& bin : imager.image({0, 1}).amplitude_m.values()) ASSERT_EQ(std::abs(bin.vv), 0.0F);
+}
+
 /// A mover at the blind speed is shown at its own place, among the ground there, and is in focus as its pulses are when
 /// they are held against those of that ground.
 TEST(DopplerImager, AMoverThatFoldsIsAsSharpAsItsPulsesSay) {
