@@ -33,10 +33,10 @@ bool TargetShadows::may_hide(const Casting& casting, Vec2d place, Vec2d away) co
     return std::abs(cross(beyond, casting.towards)) <= casting.half_width_m &&
            dot(beyond, casting.towards) >= -casting.half_width_m;
   }
+  if (casting.nearest_m <= 0.0) return true;  // from above it or beside it, all around
   const double along_m = dot(away, casting.towards), across_m = cross(away, casting.towards);
   // A shadow widens with distance, like all that is seen under one angle.
-  return along_m >= casting.nearest_m &&
-         std::abs(across_m) * std::max(casting.nearest_m, 0.0) <= casting.half_width_m * along_m;
+  return along_m >= casting.nearest_m && std::abs(across_m) * casting.nearest_m <= casting.half_width_m * along_m;
 }
 
 bool TargetShadows::hide(Vec3d place) const {

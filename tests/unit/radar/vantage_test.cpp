@@ -101,6 +101,21 @@ TEST(TargetShadows, OfAStripAreWhereAMoverIsThen) {
   EXPECT_FALSE(shadows.hide({300.0, 20.0, 0.0}));
 }
 
+/// From above a hall of 100 m all of the ground below it is hidden, on either side of the radar, and none beside it.
+TEST(TargetShadows, FromAboveABoxLieAllAround) {
+  Target hall = moving({100.0, 0.0, 15.0}, {});
+  hall.size_m = {100.0, 100.0, 30.0};
+  const std::vector<Target> targets{hall};
+  for (const Vec3d radar : {Vec3d{130.0, 20.0, 300.0}, {100.0, 0.0, 300.0}, {20.0, 0.0, 300.0}}) {
+    const TargetShadows shadows(targets, 0.0, radar);
+    for (double x = 52.0; x < 150.0; x += 4.0) {
+      for (double y = -48.0; y < 50.0; y += 4.0) EXPECT_TRUE(shadows.hide({x, y, 0.0})) << x << " " << y;
+    }
+    EXPECT_FALSE(shadows.hide({100.0, 70.0, 0.0}));
+    EXPECT_FALSE(shadows.hide({180.0, 0.0, 0.0}));
+  }
+}
+
 /// h / tan ψ long, ψ the grazing angle of that Earth: from 100 km at 1° a flat one would make it 429 m.
 TEST(TargetShadows, OverARoundEarthAreAsLongAsTheGrazingAngleSays) {
   Target box = moving({0.0, 0.0, 5.0}, {});
