@@ -4,10 +4,12 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <fmt/format.h>
 #include <utility>
 #include <vector>
 
 #include "sigmascape/atlas/texel_blend.h"
+#include "sigmascape/base/error.h"
 #include "sigmascape/base/parallel.h"
 #include "sigmascape/base/units.h"
 #include "sigmascape/radar/rectangle_parts.h"
@@ -250,6 +252,11 @@ BuildingLayer::BuildingLayer(const atlas::Atlas& atlas, const terrain::HeightFie
         if (taken_from.contains(place)) add(returned * static_cast<float>(passed * area_m2), place, grid_, sums);
       });
     });
+  }
+  if (sums.bins().overflows() > 0) {
+    throw Error("buildings kept apart",
+                fmt::format("a square of {:g} m that they return to is brighter than the sums can hold", grid_.cell_m),
+                "take a finer level of detail, or bake rougher materials");
   }
   sigma0_ = sums.sigma0();
 }
