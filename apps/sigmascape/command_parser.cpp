@@ -46,6 +46,8 @@ Option Option::delimiter(char between) const {
   of_->delimiter(between);
   // A vector would take all words that follow, those that stand by themselves too.
   of_->allow_extra_args(false);
+  // Its own help has blanks between.
+  of_->option_text(fmt::format("{0}[{1}{0}...]", of_->get_type_name(), between));
   return *this;
 }
 

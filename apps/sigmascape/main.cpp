@@ -32,6 +32,15 @@ std::string words_of(const CLI::App& command) {
   return above->get_parent() == nullptr ? command.get_name() : words_of(*above) + " " + command.get_name();
 }
 
+/// CLI11 tells of a list that is not of numbers "Could not convert: NAME = WORDS" and no more.
+std::string as_told(const CLI::ConversionError& wrong_word) {
+  const std::string_view said = wrong_word.what(), before = "Could not convert: ", between = " = ";
+  const std::size_t end = said.find(between);
+  if (!said.starts_with(before) || end == std::string_view::npos) return std::string(said) + "\n";
+  return fmt::format("{}: is {}; give numbers, as --help shows them\n", said.substr(before.size(), end - before.size()),
+                     said.substr(end + between.size()));
+}
+
 [[noreturn]] void refuse(std::string_view word, const std::string& what, const std::vector<std::string>& known,
                          const std::string& otherwise) {
   const auto nearest = nearest_word(word, known);
@@ -144,6 +153,9 @@ int run(int argc, char** argv) {
     app.parse(argc, argv);
   } catch (const CLI::RuntimeError& ended) {
     return ended.get_exit_code();
+  } catch (const CLI::ConversionError& wrong_word) {
+    say(as_told(wrong_word));
+    return 2;
   } catch (const CLI::ParseError& wrong_use) {
     std::ostringstream said;
     const int code = app.exit(wrong_use, std::cout, said) == 0 ? 0 : 2;

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <fmt/format.h>
 #include <functional>
@@ -11,8 +12,10 @@
 #include "given_number.h"
 #include "loaded_atlas.h"
 #include "long_call.h"
+#include "number_array.h"
 #include "parts.h"
 #include "text_with_file_names.h"
+#include "whole_number.h"
 
 #include "sigmascape/atlas/atlas_summary.h"
 #include "sigmascape/atlas/ground_layers.h"
@@ -48,8 +51,9 @@ std::size_t place_on(const std::vector<double>& axis, double value, const char* 
   throw Error(name, "was not baked", "choose from the axes of the atlas");
 }
 
-std::shared_ptr<atlas::HalfTexture> texture(const LoadedAtlas& loaded, std::array<int, 2> patch, double azimuth_deg,
-                                            double elevation_deg, double frequency_ghz) {
+std::shared_ptr<atlas::HalfTexture> texture(const LoadedAtlas& loaded, std::array<AnyWhole<"patch">, 2> given,
+                                            double azimuth_deg, double elevation_deg, double frequency_ghz) {
+  const std::array<int, 2> patch{given[0], given[1]};
   const atlas::AtlasDescription& description = loaded.description();
   const auto [first, last] = description.patches.block_over(description.extent);
   if (patch[0] < first.x || patch[0] > last.x || patch[1] < first.y || patch[1] > last.y)
@@ -86,10 +90,8 @@ radar::Rectangle bounds_of(const double* x_m, const double* y_m, std::size_t cou
   return {*west, *south, *east, *north};
 }
 
-using Points = py::array_t<double, py::array::c_style | py::array::forcecast>;
-
-py::array_t<float> sigma0_at(const LoadedAtlas& loaded, const Points& x_m, const Points& y_m, double azimuth_deg,
-                             double elevation_deg, double frequency_ghz, double level) {
+py::array_t<float> sigma0_at(const LoadedAtlas& loaded, const NumberArray& x_m, const NumberArray& y_m,
+                             double azimuth_deg, double elevation_deg, double frequency_ghz, double level) {
   if (x_m.ndim() != y_m.ndim() || !std::equal(x_m.shape(), x_m.shape() + x_m.ndim(), y_m.shape()))
     throw Error("x_m and y_m", "differ in shape", "give as many eastings as northings");
   checked_azimuth(azimuth_deg);
@@ -195,7 +197,7 @@ void add_texture(py::module_& module) {
       .def_readonly("scale", &atlas::HalfTexture::scale, "sigma0, linear, of a stored 1: a power of two.")
       .def(
           "sigma0",
-          [](const py::object& self, std::size_t level) {
+          [](const py::object& self, Whole<"level", std::size_t> level) {
             const py::list levels = levels_of(self);
             if (level >= levels.size()) throw Error("level", "is not stored", "choose one of `levels`");
             return levels[level].attr("astype")("float32") * py::float_(self.cast<const atlas::HalfTexture&>().scale);

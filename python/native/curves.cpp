@@ -4,6 +4,7 @@
 #include <pybind11/stl/filesystem.h>
 
 #include "given_number.h"
+#include "number_array.h"
 #include "parts.h"
 #include "polarization.h"
 
@@ -20,18 +21,17 @@ namespace sigmascape::python {
 namespace {
 
 namespace py = pybind11;
-using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
 using Curve = std::pair<std::vector<double>, std::vector<double>>;
 
 /// Beyond them sine and cosine of a number say little.
 constexpr Interval azimuths_deg{-1e6, 1e6, "°"};
 constexpr Interval offsets_m{-1e7, 1e7, "m"};
 
-std::vector<py::ssize_t> shape_of(const Numbers& numbers) {
+std::vector<py::ssize_t> shape_of(const NumberArray& numbers) {
   return {numbers.shape(), numbers.shape() + numbers.ndim()};
 }
 
-py::array_t<float> material_sigma0(const std::string& name, const Numbers& grazing_deg, double frequency_ghz) {
+py::array_t<float> material_sigma0(const std::string& name, const NumberArray& grazing_deg, double frequency_ghz) {
   within("frequency_ghz", frequency_ghz, radar::bounds::frequencies_ghz);
   const scatter::SurfaceModel model(scatter::library_material(name), frequency_ghz * 1e9);
   auto shape = shape_of(grazing_deg);
@@ -48,7 +48,7 @@ py::array_t<float> material_sigma0(const std::string& name, const Numbers& grazi
 
 /// Over every number of an array, of which all lie within these bounds.
 template <typename Function>
-py::array_t<double> mapped(const std::string& name, const Numbers& numbers, const Interval& allowed,
+py::array_t<double> mapped(const std::string& name, const NumberArray& numbers, const Interval& allowed,
                            const Function& function) {
   py::array_t<double> result(shape_of(numbers));
   for (py::ssize_t i = 0; i < numbers.size(); ++i)
@@ -97,7 +97,7 @@ void add_curves(py::module_& module) {
       "grazing angles above the ground of shape [...].");
   module.def(
       "antenna_gain_db",
-      [](const radar::RadarFile& radar, const Numbers& azimuth_deg, double elevation_deg) {
+      [](const radar::RadarFile& radar, const NumberArray& azimuth_deg, double elevation_deg) {
         within("elevation_deg", elevation_deg, -90.0, 90.0);
         const auto pattern = radar::antenna_pattern(radar.radar);
         return mapped("azimuth_deg", azimuth_deg, azimuths_deg, [&](double offset_deg) {
@@ -109,7 +109,7 @@ void add_curves(py::module_& module) {
       "beam's axis; elevation_deg above the horizontal.");
   module.def(
       "range_response_db",
-      [](const radar::RadarFile& radar, const Numbers& offset_m) {
+      [](const radar::RadarFile& radar, const NumberArray& offset_m) {
         const auto response =
             radar::RangeResponse::of_width(radar.radar.range_resolution_m, radar.radar.waveform.window);
         return mapped("offset_m", offset_m, offsets_m,

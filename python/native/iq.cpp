@@ -73,6 +73,18 @@ constexpr const char* still_leaves =
     "has wind, which moves leaves of a scene, and these are of an atlas alone: their leaves hang still; record them "
     "with the command line, or state no wind_mps";
 
+/// The side of cells that is asked for, or the usual one where none is. Wider than a range cell they would leave many
+/// without a scatterer.
+double checked_spacing_m(double asked_m, double usual_m, const radar::Radar& radar) {
+  if (asked_m == 0.0) return usual_m;
+  if (!(asked_m > 0.0 && asked_m <= radar.range_resolution_m)) {
+    throw Error("scatterer_spacing_m", fmt::format("is {:g}", asked_m),
+                fmt::format("give at most {:g} m, the radar's range resolution, or 0 for {:.4g} m",
+                            radar.range_resolution_m, usual_m));
+  }
+  return asked_m;
+}
+
 /// Of a recording `recorded_s` is how long it is to be, which follows from the radar's mode where it is left out.
 template <typename Signal>
 Described<Signal> made(Maker<Signal> make, const Plan& plan_of, const LoadedAtlas& atlas,
@@ -81,7 +93,6 @@ Described<Signal> made(Maker<Signal> make, const Plan& plan_of, const LoadedAtla
   constexpr bool has_cells = !std::is_same_v<Signal, radar::PhaseHistory>;
   within("time_s", time_s, radar::bounds::moments_s);
   settings.moment_s = time_s;
-  if (settings.scatterer_spacing_m != 0.0) positive("scatterer_spacing_m", settings.scatterer_spacing_m);
   const radar::RadarFile asked = radar_file;
   return long_call([&]() -> Described<Signal> {
     const atlas::AtlasDescription& description = atlas.description();
@@ -114,7 +125,7 @@ Described<Signal> made(Maker<Signal> make, const Plan& plan_of, const LoadedAtla
     } else {
       usual_spacing_m = simulate::pulse_scatterer_spacing_m(radar, area, atlas.terrain(), settings.interval_s);
     }
-    if (settings.scatterer_spacing_m == 0.0) settings.scatterer_spacing_m = usual_spacing_m;
+    settings.scatterer_spacing_m = checked_spacing_m(settings.scatterer_spacing_m, usual_spacing_m, radar);
     const simulate::CoherentScene scene{
         &atlas.terrain(), render::reflectivity_of(atlas.textures(), radar.frequency_hz, settings.scatterer_spacing_m),
         targets};
@@ -295,10 +306,9 @@ void add_iq(py::module_& module) {
       "interval_s: about time zero, when the radar is at its position; None for that of the radar's mode, of a strip\n"
       "until the beam has passed over all of the area, and for 0.1 with a real beam. targets: of Target. calibrated:\n"
       "volts at the receiver's output with thermal noise, and through time control and converter where the radar file\n"
-      "has them, instead of metres. scatterer_spacing_m: side of the cells that hold a scatterer each; 0 for half of "
-      "what the\n"
-      "pulses tell apart at the finest, in range or across it, and for the cells of its map where radar.mode makes\n"
-      "one. seed: of speckle, targets and noise.\n"
+      "has them, instead of metres. scatterer_spacing_m: side of the cells that hold a scatterer each, at most the\n"
+      "radar's range resolution; 0 for half of what the pulses tell apart at the finest, in range or across it, and\n"
+      "for the cells of its map where radar.mode makes one. seed: of speckle, targets and noise.\n"
       "time_s: moment, s; radar and targets have moved so long since time zero. dwell: which look at the same ground\n"
       "this is; each has noise and fluctuating targets of its own, and all the same speckle.\n\n"
       "Of an atlas alone: leaves hang still whatever radar.wind_mps, with a UserWarning, and point targets of the "

@@ -40,7 +40,12 @@ using radar::LayerStack;
 std::vector<simulate::LayerKind> shapes_in(const std::vector<std::string>& names) {
   std::vector<simulate::LayerKind> kinds;
   for (const std::string& name : names) {
-    if (!dataset::tells_bounces(name)) kinds.push_back(simulate::layer_kind(name));
+    if (dataset::tells_bounces(name)) continue;
+    try {
+      kinds.push_back(simulate::layer_kind(name));
+    } catch (const Error& unknown) {
+      throw Error("names", unknown.what(), "at level of detail 0 there are bounce1 to bounce9 and multibounce too");
+    }
   }
   return kinds;
 }
@@ -82,12 +87,12 @@ LayerStack swept(const LoadedScene& loaded, const LoadedAtlas* atlas, const std:
 }
 
 LayerStack layers(const LoadedScene& scene, const radar::RadarFile& radar_file, const std::vector<std::string>& names,
-                  std::optional<int> lod, const std::shared_ptr<LoadedAtlas>& atlas,
+                  std::optional<LevelOfDetail> lod, const std::shared_ptr<LoadedAtlas>& atlas,
                   const std::vector<radar::TargetSource>& targets, RaysACell samples, Bounces bounces, Seed seed,
                   double time_s, Dwell dwell, Threads threads, const py::object& progress) {
   within("time_s", time_s, radar::bounds::moments_s);
   check_names(names);
-  const int level_of_detail = checked_lod(lod.value_or(atlas ? 1 : 0));
+  const int level_of_detail = checked_lod(std::optional<int>(lod).value_or(atlas ? 1 : 0));
   const radar::RadarFile asked = radar_file;
   PythonProgress listener(progress);
   return long_call([&] {

@@ -8,6 +8,7 @@
 #include "loaded_scene.h"
 #include "parts.h"
 #include "polarization.h"
+#include "whole_number.h"
 
 #include "sigmascape/base/units.h"
 #include "sigmascape/radar/mode_words.h"
@@ -103,12 +104,20 @@ std::string quoted(const std::string& word) {
   return text + '"';
 }
 
-/// A key's value as a file would state it. NumPy's numbers are numbers.
+/// Whether it is true or false, of Python or of NumPy.
+bool is_truth(const py::handle& value) {
+  return py::isinstance<py::bool_>(value) ||
+         (py::hasattr(value, "dtype") && py::str(value.attr("dtype").attr("kind")).cast<std::string>() == "b");
+}
+
+/// A key's value as a file would state it. NumPy's numbers are numbers, single ones in arrays too.
 std::string stated(const std::string& key, const py::handle& value) {
-  if (py::isinstance<py::bool_>(value)) return value.cast<bool>() ? "true" : "false";
-  if (py::isinstance<py::str>(value)) return quoted(value.cast<std::string>());
+  if (is_truth(value)) return py::bool_(py::reinterpret_borrow<py::object>(value)) ? "true" : "false";
+  if (py::isinstance<py::str>(value)) return quoted(py::reinterpret_borrow<py::str>(value));
   if (py::hasattr(value, "__fspath__")) return quoted(py::str(value.attr("__fspath__")()).cast<std::string>());
-  if (PyIndex_Check(value.ptr()) != 0) return py::str(py::int_(py::reinterpret_borrow<py::object>(value)));
+  // Arrays of fractions have the means to be an index too, and refuse it when they are asked.
+  if (const auto whole = py::reinterpret_steal<py::object>(PyNumber_Index(value.ptr()))) return py::str(whole);
+  PyErr_Clear();
   if (py::hasattr(value, "__float__"))
     return fmt::format("{}", py::float_(py::reinterpret_borrow<py::object>(value)).cast<double>());
   throw Error(key, fmt::format("is of type {}", std::string(py::str(py::type::of(value).attr("__name__")))),
@@ -365,8 +374,8 @@ void add_radar(py::module_& module) {
   add_surroundings(binding);
   binding.def_property(
       "looks", [](const RadarFile& f) { return f.radar.processing.looks; },
-      [](RadarFile& f, int looks) {
-        f.radar.processing.looks = static_cast<int>(within("looks", looks, bounds::looks));
+      [](RadarFile& f, AnyWhole<"looks"> looks) {
+        f.radar.processing.looks = static_cast<int>(within("looks", static_cast<int>(looks), bounds::looks));
       },
       "Images of coherent modes whose powers are averaged.");
   binding.def_property(

@@ -187,7 +187,7 @@ auto mapped(const std::shared_ptr<LoadedScene>& scene, const radar::RadarFile& r
 }
 
 radar::GroundMap rendered(const std::shared_ptr<LoadedScene>& scene, const radar::RadarFile& radar,
-                          std::optional<int> lod, const std::shared_ptr<LoadedAtlas>& atlas,
+                          std::optional<LevelOfDetail> lod, const std::shared_ptr<LoadedAtlas>& atlas,
                           const std::vector<radar::TargetSource>& targets, RaysACell samples, Bounces bounces,
                           Seed seed, double time_s, Dwell dwell, Threads threads, const py::object& progress) {
   return mapped(scene, radar, atlas, {lod, targets, samples, bounces, seed, time_s, dwell, threads}, progress,
@@ -198,7 +198,7 @@ radar::GroundMap rendered(const std::shared_ptr<LoadedScene>& scene, const radar
 }
 
 radar::PowerMap received(const std::shared_ptr<LoadedScene>& scene, const radar::RadarFile& radar,
-                         std::optional<int> lod, const std::shared_ptr<LoadedAtlas>& atlas,
+                         std::optional<LevelOfDetail> lod, const std::shared_ptr<LoadedAtlas>& atlas,
                          const std::vector<radar::TargetSource>& targets, RaysACell samples, Bounces bounces, Seed seed,
                          double time_s, Dwell dwell, Threads threads, const py::object& progress) {
   if (radar.radar.mode != radar::Mode::RealBeam) {

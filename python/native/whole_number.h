@@ -56,7 +56,12 @@ class Whole {
   Number number_ = lowest;
 };
 
+/// Of any size and sign, where what takes it says itself what it may be.
+template <ArgumentName name>
+using AnyWhole = Whole<name, int, std::numeric_limits<int>::min()>;
+
 // What many functions take.
+using LevelOfDetail = AnyWhole<"lod">;
 using Threads = Whole<"threads", unsigned, 0, most_threads>;
 using Seed = Whole<"seed", std::uint64_t>;
 using Dwell = Whole<"dwell", std::uint64_t>;

@@ -199,6 +199,11 @@ TEST_F(BadInput, MapsInDegreesAreNotComparedByMetres) {
   EXPECT_THAT(said_to("compare map.tif map.tif"), HasSubstr("map.tif: has cells of degrees"));
 }
 
+TEST_F(BadInput, ListsOfWhatAreNoNumbersAreRefused) {
+  EXPECT_THAT(said_to("compare a.tif b.tif --cells-m 2,abc"),
+              StartsWith("--cells-m: is 2,abc; give numbers, as --help shows them"));
+}
+
 TEST_F(BadInput, OptionsThatContradictOneAnotherAreRefused) {
   EXPECT_THAT(said_to("bake none.toml --out atlas --samples 4 --target-db 1"),
               HasSubstr("--target-db excludes --samples"));

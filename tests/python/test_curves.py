@@ -47,6 +47,14 @@ def test_curves_are_not_asked_for_at_what_is_no_number(number):
         sigmascape.range_response_db(radar, [0.0, number])
 
 
+@pytest.mark.parametrize("places", ["30", ["10", "20"], [b"10"], None, [None], 30.0 + 0j, np.array(["2020-01-01"], dtype="datetime64[D]")])
+def test_curves_are_not_asked_for_at_what_is_not_of_numbers(places):
+    with pytest.raises(TypeError):
+        sigmascape.material_sigma0("grass", places)
+    with pytest.raises(TypeError):
+        sigmascape.antenna_gain_db(sigmascape.Radar(), places)
+
+
 def pixels_of(path):
     data = path.read_bytes()
     width, height = struct.unpack(">II", data[16:24])

@@ -32,7 +32,8 @@ def pulses(atlas, moving_radar):
 
 
 @pytest.mark.parametrize("call, options, words", [
-    (sigmascape.phase_history, dict(scatterer_spacing_m=-1.0), "scatterer_spacing_m: is -1; give a number above 0"),
+    (sigmascape.phase_history, dict(scatterer_spacing_m=-1.0), "scatterer_spacing_m: is -1; give at most "),
+    (sigmascape.phase_history, dict(scatterer_spacing_m=120.0), "scatterer_spacing_m: is 120; give at most 3 m, the radar's range resolution, or 0 for "),
     (sigmascape.range_doppler, dict(scatterer_spacing_m=float("nan")), "scatterer_spacing_m: is nan"),
     (sigmascape.stripmap, dict(scatterer_spacing_m=float("inf")), "scatterer_spacing_m: is inf"),
     (sigmascape.stripmap, dict(along_resolution_m=1e-9), "along_resolution_m: is 1e-09; give a number from 0.01 to 10000"),

@@ -117,6 +117,15 @@ def test_a_radar_is_read_from_a_text_and_from_its_keys_as_from_a_file(tmp_path):
         assert (radar.tilt_deg, radar.losses_db, radar.pulse_length_s) == pytest.approx((-20.0, 3.0, 5e-6))
 
 
+def test_single_numbers_in_arrays_are_keys_of_a_radar_as_they_are():
+    radar = sigmascape.Radar.from_keys({"radar": {"frequency_ghz": np.array(9.6), "range_resolution_m": np.array([2]), "beam_width_deg": 1.75 * np.ones(1)},
+                                        "mode": {"thermal_noise": np.bool_(True)}})
+    assert (radar.frequency_hz, radar.range_resolution_m, radar.thermal_noise) == (9.6e9, 2.0, True)
+    assert radar.beam_width_deg == pytest.approx(1.75)
+    with pytest.raises(sigmascape.Error, match="radar.frequency_ghz: is true"):
+        sigmascape.Radar.from_keys({"radar": {"frequency_ghz": np.bool_(True), "range_resolution_m": 2.0, "beam_width_deg": 2.0}})
+
+
 def test_files_that_the_keys_of_a_radar_name_lie_in_the_folder(tmp_path, monkeypatch):
     (tmp_path / "cut.csv").write_text(TABLE)
     keys = {"radar": {"frequency_ghz": 10.0, "range_resolution_m": 4.0}, "antenna": {"azimuth_shape": "table", "azimuth_csv": "cut.csv"}}
@@ -340,10 +349,17 @@ def test_whole_numbers_out_of_range_are_told_by_their_name(scene, radar, atlas, 
             call()
 
 
-@pytest.mark.parametrize("number", [2.0, np.float32(2.0), "2", None])
-def test_what_is_no_whole_number_is_of_the_wrong_type(scene, radar, number):
+@pytest.mark.parametrize("number", [2.0, np.float32(2.0), np.array(1.9), np.array([1.0]), "2", None])
+def test_what_is_no_whole_number_is_of_the_wrong_type(scene, radar, atlas, number):
     with pytest.raises(TypeError):
         sigmascape.render(scene, radar, threads=number)
+    with pytest.raises(TypeError):
+        radar.looks = number
+    if number is not None:
+        with pytest.raises(TypeError):
+            sigmascape.render(scene, radar, lod=number, atlas=atlas)
+        with pytest.raises(TypeError):
+            sigmascape.layers(scene, radar, ["shadow"], lod=number)
 
 
 def test_whole_numbers_may_be_of_numpy(scene, radar):

@@ -255,7 +255,7 @@ std::optional<double> TomlSection::optional_number(std::string_view key, Interva
 
 double TomlSection::number(std::string_view key, Interval allowed) const {
   if (const auto value = optional_number(key, allowed)) return *value;
-  throw fault(key, "is missing", range_text(allowed));
+  throw missing(key, range_text(allowed));
 }
 
 double TomlSection::number_or(std::string_view key, Interval allowed, double fallback) const {
@@ -328,6 +328,7 @@ std::vector<std::array<double, 2>> TomlSection::pairs(std::string_view key) cons
 std::optional<std::filesystem::path> TomlSection::optional_file(std::string_view key) const {
   const auto written = optional_text(key);
   if (!written) return std::nullopt;
+  if (written->empty()) throw fault(key, "is empty", "give the path of a file, relative to the TOML file");
   auto path = expanded_path(*written, table_->file.parent_path(), where(key));
   const auto type = is_virtual(path) ? std::filesystem::file_type::regular : type_of(path);
   if (type != std::filesystem::file_type::regular && type != std::filesystem::file_type::directory) {

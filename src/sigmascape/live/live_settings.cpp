@@ -35,7 +35,9 @@ void check(const LiveSettings& settings, const std::string& where) {
                 fmt::format("give at most {:.4f}, an eighth of a turn", widest_beam_rad));
   }
   if (!(settings.range_step_m > 0.0 && settings.range_step_m <= furthest_range_m)) {
-    throw Error(where, fmt::format("has ranges {} m apart", settings.range_step_m), "give a positive step of metres");
+    throw Error(
+        where, fmt::format("has ranges {} m apart", settings.range_step_m),
+        fmt::format("give a step above 0, of which all ranges together take no more than {:g} m", furthest_range_m));
   }
   if (const double length_m = static_cast<double>(settings.ranges) * settings.range_step_m;
       length_m > furthest_range_m) {

@@ -184,6 +184,10 @@ TEST_F(TomlReader, UnknownKeySuggestsTheNearest) {
 TEST_F(TomlReader, MisspeltRequiredKeyIsNamedRatherThanMissed) {
   EXPECT_THAT(message_of_error([&] { static_cast<void>(section("fille = \"a\"").text("file")); }),
               EndsWith("fille: is not a known key; did you mean file?"));
+  EXPECT_THAT(message_of_error([&] {
+                static_cast<void>(section("azimuth_degr = 5").number("azimuth_deg", {0, 9, "°"}));
+              }),
+              EndsWith("azimuth_degr: is not a known key; did you mean azimuth_deg?"));
   EXPECT_THAT(message_of_error([&] { static_cast<void>(section("[raddar]").required_section("radar")); }),
               EndsWith("raddar: is not a known key; did you mean radar?"));
   EXPECT_THAT(message_of_error([&] { static_cast<void>(section("[map]").required_section("radar")); }),
