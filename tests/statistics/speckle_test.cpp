@@ -20,7 +20,8 @@ using radar::ScattererLattice;
 constexpr std::string_view speckle_group = "Speckle";
 
 /// Bins of cross-section one, each the coherent sum of so many neighbouring scatterers with the phases of their places.
-std::vector<double> bin_powers(std::size_t bins, std::size_t scatterers_a_bin, std::uint64_t seed) {
+std::vector<double> bin_powers(std::size_t bins, std::size_t scatterers_a_bin, std::uint64_t seed,
+                               double wavelength_m = 0.03) {
   const ScattererLattice lattice({.seed = seed, .cell_m = 0.5, .levels = 3});
   std::vector<double> powers(bins);
   std::vector<std::int32_t> columns(scatterers_a_bin), rows(scatterers_a_bin);
@@ -35,7 +36,7 @@ std::vector<double> bin_powers(std::size_t bins, std::size_t scatterers_a_bin, s
     lattice.values_of(columns, rows, 0, Draw::First, re, im);
     for (std::size_t i = 0; i < scatterers_a_bin; ++i) {
       const Vec2d place = lattice.position_in({columns[i], rows[i]}, 0);
-      const double phase = -4.0 * pi * (20'000.0 + place.x) / 0.03;
+      const double phase = -4.0 * pi * (20'000.0 + place.x) / wavelength_m;
       const std::complex<float> amplitude =
           std::complex<float>(re[i], im[i]) * std::polar(1.0F / std::sqrt(static_cast<float>(scatterers_a_bin)),
                                                          static_cast<float>(std::remainder(phase, 2.0 * pi)));
@@ -179,6 +180,25 @@ double decorrelation(double slope_cycles_per_width, bool sinc) {
 
 /// 4π/λ · Δ · D = 2π · slope: an angle of λ/4D is half a cycle over the cell, λ/2D a whole one; in frequency c/4D and
 /// c/2D.
+/// Phases know nothing of one another over 10 and 15 GHz; strengths are the same: docs/physics/speckle.md, Eq. (7a).
+TEST(Speckle, keeps_the_strength_of_its_scatterers_over_frequency) {
+  constexpr std::size_t bins = 40'000;
+  for (const std::size_t scatterers : {1U, 3U, 10U}) {
+    const std::vector<double> one = bin_powers(bins, scatterers, 5), other = bin_powers(bins, scatterers, 5, 0.02);
+    double mean_one = 0.0, mean_other = 0.0, product = 0.0, square_one = 0.0, square_other = 0.0;
+    for (std::size_t bin = 0; bin < bins; ++bin) {
+      mean_one += one[bin] / bins;
+      mean_other += other[bin] / bins;
+    }
+    for (std::size_t bin = 0; bin < bins; ++bin) {
+      product += (one[bin] - mean_one) * (other[bin] - mean_other);
+      square_one += (one[bin] - mean_one) * (one[bin] - mean_one);
+      square_other += (other[bin] - mean_other) * (other[bin] - mean_other);
+    }
+    EXPECT_NEAR(product / std::sqrt(square_one * square_other), 1.0 / static_cast<double>(scatterers), 0.03);
+  }
+}
+
 TEST(Speckle, decorrelates_with_angle_and_frequency) {
   validation::expect_close({speckle_group, "correlation after λ/4D or c/4D, evenly weighted cell", 0.64,
                             decorrelation(0.5, false), 0.03, "1", "sinc(1/2) = 2/π"});
