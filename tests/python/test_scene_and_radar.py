@@ -119,7 +119,7 @@ def test_a_radar_is_read_from_a_text_and_from_its_keys_as_from_a_file(tmp_path):
 
 def test_single_numbers_in_arrays_are_keys_of_a_radar_as_they_are():
     radar = sigmascape.Radar.from_keys({"radar": {"frequency_ghz": np.array(9.6), "range_resolution_m": np.array([2]), "beam_width_deg": 1.75 * np.ones(1)},
-                                        "mode": {"thermal_noise": np.bool_(True)}})
+                                        "platform": {"speed_mps": np.array(100), "heading_deg": 90.0}, "mode": {"kind": "spotlight", "thermal_noise": np.bool_(True)}})
     assert (radar.frequency_hz, radar.range_resolution_m, radar.thermal_noise) == (9.6e9, 2.0, True)
     assert radar.beam_width_deg == pytest.approx(1.75)
     with pytest.raises(sigmascape.Error, match="radar.frequency_ghz: is true"):
