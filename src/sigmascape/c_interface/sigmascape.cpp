@@ -282,7 +282,7 @@ KeptGround ground_from(const sigmascape_ground* ground, const sigmascape_scene* 
       [traced = scene->scene](sigmascape::Vec2d place) { return traced->scene.terrain.height_at(place); });
 }
 
-sigmascape_receiver* receiver_of(const sigmascape::radar::Radar& radar, sigmascape_polarization polarization,
+sigmascape_receiver* receiver_of(const sigmascape::radar::Radar& radar, const sigmascape_polarization& polarization,
                                  const sigmascape_ground* ground, const sigmascape_scene* scene, unsigned threads) {
   return new sigmascape_receiver{
       .receiver = {radar, polarization_from(polarization), ground_from(ground, scene), threads}};
